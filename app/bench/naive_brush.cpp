@@ -1,6 +1,7 @@
 #include "app/bench/naive_brush.h"
 
 #include "app/bench/naive_cloud.h"
+#include "core/base/scratch.h"
 
 #include <algorithm>
 #include <Eigen/Dense>
@@ -43,14 +44,15 @@ void naiveDraw(const NaiveSurface& surface, const NaiveDab& dab, std::vector<sur
 }
 
 void naiveSmooth(const NaiveSurface& surface, const NaiveDab& dab, std::vector<surfel::Surfel>& out) {
-    thread_local std::vector<std::pair<surfel::Surfel, double>> under;
-    under.clear();
+    static base::Scratch<std::vector<std::pair<surfel::Surfel, double>>> scratch;
+    const auto under = scratch.take();
+    under->clear();
     out.clear();
     surface.cloud().forBall(dab.centre, dab.radius, [&](const surfel::Surfel& s, float distanceSq) {
         const double r = std::sqrt(static_cast<double>(distanceSq)) / static_cast<double>(dab.radius);
-        under.push_back({s, static_cast<double>(dab.strength) * weight(std::min(1.0, r))});
+        under->push_back({s, static_cast<double>(dab.strength) * weight(std::min(1.0, r))});
     });
-    for (auto& [s, share] : under) {
+    for (auto& [s, share] : *under) {
         const NaiveEvaluation e = surface.evaluate(base::cast<double>(s.position), surface::Need::Gradient);
         const double slope = length(e.gradient);
         if (e.valid && slope > 0.1) {

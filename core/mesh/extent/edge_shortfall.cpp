@@ -2,6 +2,7 @@
 
 #include "core/base/cells.h"
 #include "core/base/parallel.h"
+#include "core/base/scratch.h"
 #include "core/cells/cell_source.h"
 #include "core/cells/feet.h"
 #include "core/cells/labels.h"
@@ -109,9 +110,10 @@ class Edges {
         if (own.partner == own.cell || own.sharpness < sharpEnough)
             return {};
         const Vec3d p = base::cast<double>(block.position(slot)), n = base::cast<double>(block.normal(slot));
-        thread_local std::vector<tree::Neighbour> near;
-        m_tree.nearest(block.position(slot), looked, near);
-        for (const tree::Neighbour& other : near) {
+        static base::Scratch<std::vector<tree::Neighbour>> scratch;
+        const auto near = scratch.take();
+        m_tree.nearest(block.position(slot), looked, *near);
+        for (const tree::Neighbour& other : *near) {
             if (m_labels.cellAt(*other.block, other.slot) != own.partner)
                 continue;
             const Vec3d q = base::cast<double>(other.block->position(other.slot)),

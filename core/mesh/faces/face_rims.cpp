@@ -94,10 +94,12 @@ bool markRims(const FaceTopology& topology, std::span<const float> supports, sur
     const tree::SurfelTree marks = marksOf(topology.borderEdges, tree::SurfelTree::build(pointsOf(samples, supports)));
     std::vector<std::uint8_t> rim(samples.size());
     if (!marks.empty())
-        base::parallelFor(samples.size(), 256, [&](std::size_t i) {
-            thread_local std::vector<tree::Neighbour> nearest;
-            marks.nearest(samples.items[i].position, 1, nearest, surface::rimReach * supports[i]);
-            rim[i] = nearest.empty() ? 0 : 1;
+        base::parallelChunks(samples.size(), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
+            std::vector<tree::Neighbour> nearest;
+            for (std::size_t i = begin; i < end; ++i) {
+                marks.nearest(samples.items[i].position, 1, nearest, surface::rimReach * supports[i]);
+                rim[i] = nearest.empty() ? 0 : 1;
+            }
         });
     write(samples, rim);
     return true;

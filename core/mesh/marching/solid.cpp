@@ -1,6 +1,7 @@
 #include "core/mesh/marching/solid.h"
 
 #include "core/base/parallel.h"
+#include "core/base/scratch.h"
 #include "core/surface/rims.h"
 
 #include <cmath>
@@ -117,15 +118,16 @@ void Solid::findMissing() {
 }
 
 Solid::Sheet Solid::sheetNear(const Vec3d& x) const {
-    thread_local std::vector<tree::Neighbour> nearest;
+    static base::Scratch<std::vector<tree::Neighbour>> scratch;
+    const auto nearest = scratch.take();
     if (!m_missing.empty()) {
-        m_missing.nearest(base::cast<float>(x), 1, nearest);
-        return {0, static_cast<double>(nearest.front().block->mask(nearest.front().slot))};
+        m_missing.nearest(base::cast<float>(x), 1, *nearest);
+        return {0, static_cast<double>(nearest->front().block->mask(nearest->front().slot))};
     }
     if (m_turns.empty())
         return {};
-    m_surface.tree().nearest(base::cast<float>(x), 1, nearest);
-    const tree::Neighbour& beside = nearest.front();
+    m_surface.tree().nearest(base::cast<float>(x), 1, *nearest);
+    const tree::Neighbour& beside = nearest->front();
     const float support = beside.block->support(beside.slot);
     const auto found = m_turns.find(beside.block);
     if (found == m_turns.end() || beside.distanceSq > support * support)

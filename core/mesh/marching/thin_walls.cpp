@@ -1,6 +1,7 @@
 #include "core/mesh/marching/thin_walls.h"
 
 #include "core/base/parallel.h"
+#include "core/base/scratch.h"
 #include "core/mesh/surface_traits.h"
 
 #include <algorithm>
@@ -63,10 +64,11 @@ float leastOf(std::size_t thin, std::size_t surfels) {
 std::vector<float> thinWalls(const surface::Surface& surface) {
     if (!SurfaceTraits(surface).sided)
         return {};
+    static base::Scratch<std::vector<tree::Neighbour>> scratch;
     std::vector<float> out(surface.tree().size());
     forSurfels(surface, [&](std::size_t number, const surfel::SurfelBlock& block, int slot, float spacing) {
-        thread_local std::vector<tree::Neighbour> near;
-        out[number] = wallAt(surface.tree(), block, slot, spacing, near);
+        const auto near = scratch.take();
+        out[number] = wallAt(surface.tree(), block, slot, spacing, *near);
     });
     const auto thin =
         static_cast<std::size_t>(std::count_if(out.begin(), out.end(), [](float wall) { return std::isfinite(wall); }));

@@ -1,5 +1,6 @@
 #include "core/process/estimation/spacing_sample.h"
 
+#include "core/base/scratch.h"
 #include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/spacing.h"
 #include "core/surfel/shape.h"
@@ -39,9 +40,10 @@ static float spacingAt(const std::vector<tree::Neighbour>& found) {
 }
 
 float spacingAround(const tree::SurfelTree& tree, const base::Vec3f& x) {
-    thread_local std::vector<tree::Neighbour> found;
-    tree.nearest(x, looked, found); // itself among them
-    return spacingAt(found);
+    static base::Scratch<std::vector<tree::Neighbour>> scratch;
+    const auto found = scratch.take();
+    tree.nearest(x, looked, *found); // itself among them
+    return spacingAt(*found);
 }
 
 std::vector<SpacingSample> sampleSpacing(const tree::SurfelTree& tree) {

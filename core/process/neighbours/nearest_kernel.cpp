@@ -4,13 +4,14 @@
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/process/neighbours/nearest_kernel.h"
 
+#include "core/base/scratch.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
@@ -310,7 +311,8 @@ HWY_EXPORT(nearestAnywhere);
 void nearestOfCell(const PointCells& cells, std::span<const base::Vec3f> positions, std::size_t cell, std::size_t k,
                    NearestRows& out) {
     assert(k >= 1 && k < positions.size());
-    thread_local const auto scratch = std::make_unique_for_overwrite<NearestScratch>();
+    static base::Scratch<NearestScratch> scratches;
+    const auto scratch = scratches.take();
     out.cell = cell;
     out.first = cells.begin[cell];
     out.count = cells.size(cell);

@@ -1,6 +1,7 @@
 #include "core/render/splats/cpu_splatter.h"
 
 #include "core/base/parallel.h"
+#include "core/base/scratch.h"
 #include "core/render/shading/shading.h"
 #include "core/render/splats/splat_style.h"
 
@@ -143,13 +144,14 @@ void drawTile(const Frame& frame, const TileArea& area, std::span<const BinEntry
 
 void CpuSplatter::drawTiles(const Setting& setting, std::span<const std::uint32_t> tiles, Image& out) {
     const ViewFrame view(setting.camera);
+    static base::Scratch<Scratch> scratches;
     m_bins.fill(m_visible, view, setting.style.radiusOfSupport);
     const Frame frame{view, setting.style, shadingStyle(setting.options.shading), setting.options, m_drawnLayer.get(),
                       out,  m_finish};
     base::parallelFor(tiles.size(), 1, [&](std::size_t i) {
-        thread_local Scratch scratch;
+        const auto scratch = scratches.take();
         const auto t = static_cast<int>(tiles[i]);
-        drawTile(frame, tileArea(view, t % m_bins.columns(), t / m_bins.columns()), m_bins.tile(t), scratch);
+        drawTile(frame, tileArea(view, t % m_bins.columns(), t / m_bins.columns()), m_bins.tile(t), *scratch);
     });
 }
 
