@@ -17,7 +17,6 @@ using namespace faces;
 class FacesTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
-    void largeFacesAmongVerticesAreFilled();
     void largeFacesAreFlat();
     void pointsLieOnTheirFaces();
     void pointsAreAsManyAsAskedForAndEven();
@@ -287,57 +286,6 @@ void FacesTest::tooManyAndTooFewSamplesAreRefused() {
         mesh::openFaces(cube.list(), cube.triangles, {}, {.use = mesh::FaceUse::Sample, .spacing = 1e-9}), base::Error);
     QVERIFY_EXCEPTION_THROWN(
         mesh::openFaces(cube.list(), cube.triangles, {}, {.use = mesh::FaceUse::Sample, .spacing = 100}), base::Error);
-}
-
-/// A torus of many vertices, a disc of which was cut out and closed with few triangles.
-void FacesTest::largeFacesAmongVerticesAreFilled() {
-    Faces torus = band(300, 120, false);
-    const Vec3f middle{1.4f, 0, 0};
-    const auto isCut = [&](std::uint32_t v) { return distance(torus.positions[v], middle) < 0.25f; };
-    std::erase_if(torus.triangles, [&](const Triangle& t) { return isCut(t[0]) || isCut(t[1]) || isCut(t[2]); });
-    std::vector<std::array<std::uint32_t, 2>> sides; // those without a partner
-    for (const Triangle& t : torus.triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            if (isCut(t[k]) == isCut(t[(k + 1) % 3]))
-                sides.push_back({t[k], t[(k + 1) % 3]});
-    std::sort(sides.begin(), sides.end());
-    std::erase_if(sides, [all = sides](const auto& s) {
-        return std::binary_search(all.begin(), all.end(), std::array<std::uint32_t, 2>{s[1], s[0]});
-    });
-    const auto first = sides.front()[0]; // a fan from one vertex of the rim
-    for (const auto& s : sides)
-        if (s[0] != first && s[1] != first)
-            torus.triangles.push_back({s[1], s[0], first});
-    std::vector<std::uint32_t> kept(torus.positions.size()); // without the vertices of the disc
-    std::vector<Vec3f> positions;
-    for (std::uint32_t v = 0; v < kept.size(); ++v) {
-        kept[v] = static_cast<std::uint32_t>(positions.size());
-        if (!isCut(v))
-            positions.push_back(torus.positions[v]);
-    }
-    for (Triangle& t : torus.triangles)
-        t = {kept[t[0]], kept[t[1]], kept[t[2]]};
-    torus.positions = positions;
-    const FaceTopology topology = torus.topology();
-    QVERIFY(topology.closed());
-    mesh::FaceOptions options;
-    const mesh::OpenedFaces opened = mesh::openFaces(torus.list(), torus.triangles, {}, options);
-    QVERIFY(!opened.sampled);
-    QVERIFY(opened.points.size() > torus.positions.size() + 100);
-    options.use = mesh::FaceUse::Vertices;
-    QCOMPARE(mesh::openFaces(torus.list(), torus.triangles, {}, options).points.size(), torus.positions.size());
-    float worst = 0; // of places in the disc, to the nearest surfel
-    for (std::size_t t = topology.triangles.size() - sides.size() + 2; t < topology.triangles.size(); ++t) {
-        Vec3f place;
-        for (const std::uint32_t v : topology.triangles[t])
-            place += torus.positions[v] / 3.0f;
-        float nearest = 9;
-        for (const surfel::Surfel& s : opened.points.items)
-            nearest = std::min(nearest, distance(s.position, place));
-        worst = std::max(worst, nearest);
-    }
-    const auto spacing = static_cast<float>(std::sqrt(topology.area / static_cast<double>(torus.positions.size())));
-    QVERIFY2(worst < 1.5f * spacing, qPrintable(QString::number(double(worst / spacing))));
 }
 
 static const test::Registered<FacesTest> registered;

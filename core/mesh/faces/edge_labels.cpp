@@ -8,11 +8,21 @@
 
 namespace mesh {
 
+/// As its vertices are apart.
+static double usualSpacing(const FaceTopology& topology) {
+    return std::sqrt(topology.area / static_cast<double>(topology.triangles.size()));
+}
+
 bool hasSureCreases(const FaceTopology& topology) {
     if (topology.sharpEdges.empty() || topology.oneSided)
         return false;
-    const double spacing = std::sqrt(topology.area / static_cast<double>(topology.triangles.size()));
-    return clearChains(topology, spacing).sure > std::sqrt(topology.area);
+    return clearChains(topology, usualSpacing(topology)).sure > std::sqrt(topology.area);
+}
+
+std::vector<SharpEdge> noisyEdges(const FaceTopology& topology) {
+    if (topology.sharpEdges.empty() || topology.oneSided)
+        return {};
+    return clearChains(topology, usualSpacing(topology)).rounded;
 }
 
 /// In the median, of each piece.

@@ -10,6 +10,9 @@ namespace mesh {
 /// Is this a part with edges, however finely it is cut into triangles? Its vertices have no labels, its samples do.
 bool hasSureCreases(const FaceTopology& topology);
 
+/// Sharp edges that would be rounded as noise if the faces were sampled as densely as their vertices lie.
+std::vector<SharpEdge> noisyEdges(const FaceTopology& topology);
+
 /// The edges that are no noise, unless somebody decided; normals are smooth over those that are `rounded`, and no
 /// blades are there.
 CreaseChains keptEdges(const FaceTopology& topology, const FaceOptions& options, const std::vector<FacePoint>& points,

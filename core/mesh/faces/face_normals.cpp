@@ -60,11 +60,27 @@ std::vector<Vec3f> fanNormals(const FaceTopology& topology, std::span<const Vec3
                   [&](std::size_t corner, std::uint32_t) -> std::size_t { return topology.fans[corner]; });
 }
 
+static std::vector<Vec3f> aboutVertices(const FaceTopology& topology, std::span<const Vec3f> positions) {
+    return summed(topology, positions, positions.size(),
+                  [](std::size_t, std::uint32_t vertex) -> std::size_t { return vertex; });
+}
+
+std::vector<std::uint8_t> foldedOver(const FaceTopology& topology, std::span<const Vec3f> positions) {
+    const std::vector<Vec3f> normals = aboutVertices(topology, positions);
+    std::vector<std::uint8_t> out(topology.triangles.size());
+    for (std::size_t t = 0; t < out.size(); ++t) {
+        int away = 0;
+        for (const std::uint32_t v : topology.triangles[t])
+            away += dot(normals[v], base::cast<float>(topology.normals[t])) < 0 ? 1 : 0;
+        out[t] = away > 1 ? 1 : 0;
+    }
+    return out;
+}
+
 std::vector<Vec3f> vertexNormals(const FaceTopology& topology, std::span<const Vec3f> positions) {
     constexpr float folded = 0.1f; // cosine
-    std::vector<Vec3f> out = summed(topology, positions, positions.size(),
-                                    [](std::size_t, std::uint32_t vertex) -> std::size_t { return vertex; });
-    const std::vector<Vec3f> all = out;
+    const std::vector<Vec3f> all = aboutVertices(topology, positions);
+    std::vector<Vec3f> out = all;
     for (std::size_t t = 0; t < topology.triangles.size(); ++t)
         if (topology.areas[t] > 0)
             for (const std::uint32_t v : topology.triangles[t])

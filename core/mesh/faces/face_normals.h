@@ -15,6 +15,9 @@ void joinFans(FaceTopology& topology, std::span<const base::Vec3f> positions, st
 /// Of each fan; that of one of its triangles where the sum vanishes, zero where none has an area.
 std::vector<base::Vec3f> fanNormals(const FaceTopology& topology, std::span<const base::Vec3f> positions);
 
+/// 1 for each triangle that looks away from what lies about two of its corners: a flap, folded over its neighbours.
+std::vector<std::uint8_t> foldedOver(const FaceTopology& topology, std::span<const base::Vec3f> positions);
+
 /// Of each vertex of the file: the sum over its corners, whatever their fans. Zero for vertices without faces, and
 /// where a face is folded over so far that it looks away from the sum: points tell more there.
 std::vector<base::Vec3f> vertexNormals(const FaceTopology& topology, std::span<const base::Vec3f> positions);

@@ -160,17 +160,24 @@ class FaceSampler {
 };
 
 /// Vertices that are kept leave large faces empty: points on these, where they do not lie inside of the solid, join
-/// them. Returns how many.
+/// them. Who closed holes with large faces left folds at some of their edges: normals are smooth over these, and what
+/// is folded over gets no points. Returns how many.
 std::size_t fillLargeFaces(SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions,
-                           const InnerPlaces* inside, const FacePaint* paint, const base::Progress& progress) {
+                           const std::vector<std::uint8_t>& over, const InnerPlaces* inside, const FacePaint* paint,
+                           const base::Progress& progress) {
     std::vector<FacePoint> points = pointsOnLargeFaces(topology, positions, progress);
+    if (points.empty())
+        return 0;
+    FaceTopology smooth = topology;
+    joinFans(smooth, positions, noisyEdges(topology));
+    std::erase_if(points, [&](const FacePoint& p) { return over[p.triangle] != 0; });
     if (inside)
         std::erase_if(points,
                       [&](const FacePoint& p) { return inside->has(placeOf(p, topology, positions), p.triangle); });
     if (points.empty())
         return 0;
     const SurfelList more =
-        FaceSampler(vertices, topology, positions, paint, vertices.layout).run(points, [](std::size_t) {
+        FaceSampler(vertices, smooth, positions, paint, vertices.layout).run(points, [](std::size_t) {
             return FaceSampler::Size{};
         });
     for (std::size_t i = 0; i < more.size(); ++i)
@@ -313,13 +320,14 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
             paintVertices(vertices, *paint);
         const bool whole = options.use == FaceUse::Auto && !broken(topology);
         std::optional<InnerPlaces> inside;
-        if (whole && mayCross(topology, positions))
+        const std::vector<std::uint8_t> over = foldedOver(topology, positions);
+        if (whole && (mayCross(topology, positions) || std::ranges::find(over, 1) != over.end()))
             inside.emplace(topology, positions);
         if (inside && inside->outerShare() == 1)
             inside.reset();
         if (whole)
             if (const std::size_t more =
-                    fillLargeFaces(vertices, topology, positions, inside ? &*inside : nullptr, paint, progress);
+                    fillLargeFaces(vertices, topology, positions, over, inside ? &*inside : nullptr, paint, progress);
                 more > 0)
                 out.messages.push_back("Large faces, which the vertices leave empty, got " +
                                        counted(more, "surfel", "surfels") +
