@@ -69,6 +69,12 @@ std::optional<CellSurface> CellSurface::of(const surface::Surface& surface) {
     return out;
 }
 
+CellSurface CellSurface::unprepared(const surface::Surface& surface, const LabelLayout& labels) {
+    CellSurface out(surface, labels);
+    out.m_mixed = std::make_shared<Mixed>();
+    return out;
+}
+
 bool CellSurface::mixedAlong(const base::Rayf& ray, float t) const {
     bool out = false;
     m_surface.tree().alongRay(ray, [&](const surfel::SurfelBlock& block, int cluster, float enter, float) {

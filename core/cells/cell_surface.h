@@ -21,6 +21,10 @@ class CellSurface {
     /// Nothing for models without labels and for curves. Time: that of one query for each cluster, in parallel.
     static std::optional<CellSurface> of(const surface::Surface& surface);
 
+    /// The same at no cost, for few places: nobody has looked where cells are near each other, so that all clusters are
+    /// mixed. REQUIRES: labels; it is CellSource that asks, and not CellSourcef.
+    static CellSurface unprepared(const surface::Surface& surface, const LabelLayout& labels);
+
     const surface::Surface& surface() const { return m_surface; }
     const LabelLayout& labels() const { return m_labels; }
 

@@ -219,6 +219,10 @@ std::optional<CellSource::Tangent> cutOffByPlane(CellSource& source, std::size_t
     return cut ? std::optional(cut->plane) : std::nullopt;
 }
 
+std::optional<CellSource::Tangent> planeOf(CellSource& source, std::size_t i, const AbsentCell& absent) {
+    return nearestPlane(source.surface(), absent.cell, source.position(), source.at(i, Need::Value).normal);
+}
+
 namespace {
 
 /// q, turned as little as turns direction a into b.

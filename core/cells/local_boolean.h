@@ -16,6 +16,10 @@ bool cutOff(Source& source, std::size_t i, double tolerance);
 /// they are sampled more finely, with none (cells/README 3).
 std::optional<CellSource::Tangent> cutOffByPlane(CellSource& source, std::size_t i, double tolerance);
 
+/// What ends cell i at the source's position in place of a cell that has no surfels in support: the plane of the
+/// nearest one, as long as that is near.
+std::optional<CellSource::Tangent> planeOf(CellSource& source, std::size_t i, const AbsentCell& absent);
+
 /// Is the off-centre value of cell i at the source's position larger than the boundary limit, the surfels of cells that
 /// it meets laid out flat as its own are? At an edge, however acute, the surface does not end.
 template <class Source>

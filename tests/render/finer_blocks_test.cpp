@@ -1,4 +1,5 @@
 // Large discs that stand out over their surface give way to finer ones that lie on it, and only those do.
+#include "core/cells/labels.h"
 #include "core/render/splats/cpu_splatter.h"
 #include "core/render/splats/finer_blocks.h"
 #include "render/render_models.h"
@@ -14,7 +15,9 @@ class FinerBlocksTest : public QObject {
   private Q_SLOTS:
     void finerDiscsLieOnTheSurface();
     void discsStandOutAsTheirSurfaceBends();
-    void smoothSurfacesAloneAreDrawnFiner();
+    void edgesHoldTheirFinerDiscs();
+    void facesWithoutCellsStayWhole();
+    void updatesAreTheWholePicture_data();
     void updatesAreTheWholePicture();
 };
 
@@ -27,6 +30,67 @@ std::vector<const surfel::SurfelBlock*> blocksOf(const tree::SurfelTree& model) 
     model.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) { out.push_back(&block); });
     return out;
 }
+
+/// Samples of a cylinder of radius and half height 1 about z, some `spacing` apart, with a cell for the side (0) and
+/// for each end.
+surfel::SurfelList cylinder(double spacing, std::uint64_t seed) {
+    base::Random random(seed);
+    surfel::SurfelList out;
+    out.layout = test::orientedLayout();
+    std::vector<cells::Label> labels;
+    const auto add = [&](const Vec3d& p, const Vec3d& n, std::uint32_t cell, double toEdge) {
+        surfel::Surfel s;
+        s.position = base::cast<float>(p), s.normal = base::cast<float>(n);
+        s.support = static_cast<float>(test::supportOfSpacing * spacing);
+        out.items.push_back(s);
+        cells::Label label{cell, cell};
+        if (toEdge < 2 * spacing) {
+            label.partner = cell == 0 ? (p.z > 0 ? 1u : 2u) : 0u;
+            label.meeting = cells::Meeting::Convex;
+        }
+        labels.push_back(label);
+    };
+    const auto jitter = [&] { return 0.3 * spacing * random.uniform(-1, 1); };
+    const auto lattice = [&](double wide, double high, const auto& fn) {
+        const auto columns = static_cast<int>(std::lround(wide / spacing)),
+                   rows = static_cast<int>(std::lround(high / spacing));
+        for (int i = 0; i < columns; ++i)
+            for (int j = 0; j < rows; ++j)
+                fn((i + 0.5) * wide / columns + jitter(), (j + 0.5) * high / rows + jitter());
+    };
+    lattice(2 * std::numbers::pi, 2, [&](double angle, double z) {
+        const Vec3d n{std::cos(angle), std::sin(angle), 0};
+        if (std::abs(z - 1) < 1)
+            add({n.x, n.y, z - 1}, n, 0, 1 - std::abs(z - 1));
+    });
+    for (const double end : {1.0, -1.0})
+        lattice(2, 2, [&](double x, double y) {
+            const Vec3d p{x - 1, y - 1, end};
+            if (const double far = std::hypot(p.x, p.y); far < 1)
+                add(p, {0, 0, end}, end > 0 ? 1 : 2, 1 - far);
+        });
+    cells::setLabels(out, labels);
+    return out;
+}
+
+double above(const Vec3d& x) {
+    return std::max(std::hypot(x.x, x.y) - 1, std::abs(x.z) - 1);
+}
+
+struct DrawnDisc {
+    base::Vec3f centre, normal;
+    float radius;
+    DiscCut cut;
+
+    bool covers(const base::Vec3f& x) const {
+        const base::Vec3f way = x - centre, along = way - normal * dot(way, normal);
+        const auto beyond = [&](const CutLine& line) {
+            return line.part > 0 && dot(along, line.direction) > radius * line.part;
+        };
+        return length(along) <= radius * cut.radius && std::abs(dot(way, normal)) < radius && !beyond(cut) &&
+               !beyond(cut.second);
+    }
+};
 
 } // namespace
 
@@ -87,7 +151,74 @@ void FinerBlocksTest::discsStandOutAsTheirSurfaceBends() {
     QVERIFY(most(test::disc({0, 0, 0}, {0, 0, 1}, 1, 0.05)).second < 1e-6f);
 }
 
-void FinerBlocksTest::smoothSurfacesAloneAreDrawnFiner() {
+/// Around the ends of a cylinder: discs lie on their own side of the edge, none reaches past it by more than bent ones
+/// of their size do, and together they cover all of it.
+void FinerBlocksTest::edgesHoldTheirFinerDiscs() {
+    const auto model = test::built(cylinder(0.19, test::seed()));
+    FinerBlocks finer;
+    finer.use({}, radius);
+    finer.follow(model);
+    const auto blocks = blocksOf(model);
+    for (const float each : finer.standOut(blocks)) // ends are flat, and their edges are not
+        QVERIFY2(each > 0.05f * radius, qPrintable(QString::number(each)));
+    finer.prepare(blocks);
+    base::Random random(test::seed());
+    std::vector<DrawnDisc> discs;
+    std::size_t cut = 0, points = 0, out = 0;
+    double farthest = 0;
+    for (const surfel::SurfelBlock* block : blocks)
+        for (const FinerBlocks::Part& part : finer.of(block))
+            for (int i = 0; i < part.block->size(); ++i) {
+                const float support = part.block->support(i);
+                const CutCode code = part.cuts ? (*part.cuts)[static_cast<std::size_t>(i)] : wholeDisc;
+                const DrawnDisc disc{part.block->position(i), part.block->normal(i), radius * support,
+                                     discCut(part.block->normal(i), support, code)};
+                cut += code != wholeDisc ? 1 : 0;
+                discs.push_back(disc);
+                farthest = std::max(farthest, std::abs(above(base::cast<double>(disc.centre))));
+                const double bend = 0.5 * double(disc.radius) * double(disc.radius);
+                for (int k = 0; k < 8; ++k) {
+                    const base::Vec3f u = base::perpendicular(disc.normal), v = cross(disc.normal, u);
+                    const auto angle = static_cast<float>(random.uniform(0, 2 * std::numbers::pi));
+                    const float far = disc.radius * static_cast<float>(std::sqrt(random.uniform()));
+                    const base::Vec3f x = disc.centre + (u * std::cos(angle) + v * std::sin(angle)) * far;
+                    if (!disc.covers(x))
+                        continue;
+                    ++points;
+                    out += above(base::cast<double>(x)) > 1.2 * bend + 0.05 * double(disc.radius) ? 1 : 0;
+                }
+            }
+    std::size_t bare = 0;
+    constexpr std::size_t places = 4000;
+    for (std::size_t k = 0; k < places; ++k) { // within a spacing of the upper edge
+        const double angle = random.uniform(0, 2 * std::numbers::pi), back = random.uniform(0, 0.19);
+        const bool side = k % 2 == 0;
+        const double r = side ? 1 : 1 - back;
+        const auto x = base::cast<float>(Vec3d{r * std::cos(angle), r * std::sin(angle), side ? 1 - back : 1});
+        bare += std::none_of(discs.begin(), discs.end(),
+                             [&](const DrawnDisc& each) {
+                                 const bool ofSide = std::abs(each.normal.z) < 0.5f;
+                                 return ofSide == side && each.covers(x);
+                             })
+                    ? 1
+                    : 0;
+    }
+    const QString told = QString("%1 discs, %2 cut, %3 of %4 points out, %5 of %6 bare, centres off by %7, seed %8")
+                             .arg(discs.size())
+                             .arg(cut)
+                             .arg(out)
+                             .arg(points)
+                             .arg(bare)
+                             .arg(places)
+                             .arg(farthest)
+                             .arg(test::seed());
+    QVERIFY2(discs.size() > 6 * model.size() && cut > model.size() / 4, qPrintable(told));
+    QVERIFY2(farthest < 0.02, qPrintable(told));
+    QVERIFY2(out <= points / 1000, qPrintable(told));
+    QVERIFY2(bare <= places / 200, qPrintable(told));
+}
+
+void FinerBlocksTest::facesWithoutCellsStayWhole() {
     const auto model = test::built(test::sphere({0, 0, 0}, 1, 500));
     RenderOptions options;
     QVERIFY(FinerBlocks::any(model, options));
@@ -96,17 +227,31 @@ void FinerBlocksTest::smoothSurfacesAloneAreDrawnFiner() {
     options = {};
     options.definition.manifold = surface::Manifold::Curve;
     QVERIFY(!FinerBlocks::any(model, options));
-    auto layout = std::make_shared<surfel::AttributeLayout>(*model.layout());
-    layout->add("patch", surfel::ScalarType::Int32); // faces with sharp edges
-    surfel::SurfelList list;
-    list.layout = layout;
-    list.append({{0, 0, 0}, {0, 0, 1}, 1}, std::vector<std::uint32_t>(layout->words()));
-    QVERIFY(!FinerBlocks::any(tree::SurfelTree::build(list), {}));
+    for (const bool cells : {false, true}) {
+        surfel::SurfelList list = cells ? cylinder(0.3, test::seed()) : test::sphere({0, 0, 0}, 1, 100);
+        auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
+        layout->add("patch", surfel::ScalarType::Int32); // faces with sharp edges
+        surfel::SurfelList with;
+        with.layout = layout;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            std::vector<std::uint32_t> words(list.extraOf(i).begin(), list.extraOf(i).end());
+            words.resize(layout->words());
+            with.append(list.items[i], words);
+        }
+        QCOMPARE(FinerBlocks::any(tree::SurfelTree::build(with), {}), cells);
+    }
 }
 
 /// Finer discs of blocks that an edit leaves alone follow what is about them.
+void FinerBlocksTest::updatesAreTheWholePicture_data() {
+    QTest::addColumn<bool>("cells");
+    QTest::newRow("smooth") << false;
+    QTest::newRow("cells") << true;
+}
+
 void FinerBlocksTest::updatesAreTheWholePicture() {
-    auto version = test::built(test::torus(0.7, 0.3, 1500, test::seed()));
+    QFETCH(bool, cells);
+    auto version = test::built(cells ? cylinder(0.17, test::seed()) : test::torus(0.7, 0.3, 1500, test::seed()));
     const Camera camera = test::cutTilesCamera();
     CpuSplatter splatter;
     Image image;
@@ -129,7 +274,11 @@ void FinerBlocksTest::updatesAreTheWholePicture() {
                     gone[static_cast<std::size_t>(slot)] = true;
                     surfel::Surfel moved = block.surfel(slot);
                     moved.position += moved.normal * 0.05f;
-                    edit.inserted.items.push_back(moved);
+                    std::vector<std::uint32_t> words(version.layout()->words());
+                    for (std::size_t w = 0; w < words.size(); ++w)
+                        words[w] = block.words(slot / surfel::clusterSize,
+                                               surfel::Extra + static_cast<int>(w))[slot % surfel::clusterSize];
+                    edit.inserted.append(moved, words);
                 }
             if (gone.any())
                 edit.blocks.push_back({number, {}, gone});

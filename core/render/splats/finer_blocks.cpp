@@ -1,8 +1,11 @@
 #include "core/render/splats/finer_blocks.h"
 
 #include "core/base/parallel.h"
-#include "core/cells/labels.h"
 #include "core/render/splats/boundary_cuts.h"
+#include "core/render/splats/finer_in_cells.h"
+#include "core/render/splats/label_cuts.h"
+#include "core/render/splats/sharp_cuts.h"
+#include "core/render/splats/stand_out.h"
 #include "core/surface/projection/project.h"
 #include "core/surfel/shape.h"
 
@@ -22,46 +25,11 @@ constexpr int discsFor = 7;
 constexpr float finerRadius = 0.6f, ringRadius = 0.75f;
 /// A foot farther off than this part of the radius is on another sheet.
 constexpr float nearFoot = 1;
-/// A disc stands out as far as this part of its neighbours lie below it: one normal gone wrong tells nothing.
-constexpr std::size_t tellingPart = 4;
-/// And a block as far as this many of its discs do.
-constexpr std::size_t tellingDiscs = 4;
-constexpr std::size_t leastNeighbours = 4;
-
-/// How far a disc stands out where its surface bends as it does towards a neighbour: d^2 / 2 rho, for d what it reaches
-/// in that direction.
-float standOutOver(const Vec3f& way, const Vec3f& normal, const Vec3f& shape, float radius) {
-    return std::abs(dot(way, normal)) * radius * radius / surfel::shapedSq(way, shape);
-}
-
-float standOutOf(const SurfelBlock& block, float radiusOfSupport, int shape) {
-    std::vector<float> discs, around;
-    for (int i = 0; i < block.size(); ++i) {
-        const Vec3f p = block.position(i), n = block.normal(i), b = surfel::shapeOf(block, i, shape);
-        const float radius = radiusOfSupport * block.support(i);
-        around.clear();
-        for (int j = 0; j < block.size(); ++j) {
-            const Vec3f way = block.position(j) - p;
-            const float apart = lengthSq(way);
-            if (apart > 0.25f * radius * radius && apart < 2.25f * radius * radius)
-                around.push_back(standOutOver(way, n, b, radius));
-        }
-        if (around.size() < leastNeighbours)
-            continue;
-        const auto telling = around.begin() + static_cast<std::ptrdiff_t>(around.size() / tellingPart);
-        std::nth_element(around.begin(), telling, around.end(), std::greater<>());
-        discs.push_back(std::min(*telling, radius));
-    }
-    if (discs.size() < tellingDiscs)
-        return 0;
-    std::nth_element(discs.begin(), discs.begin() + (tellingDiscs - 1), discs.end(), std::greater<>());
-    return discs[tellingDiscs - 1];
-}
-
 /// What is drawn: a disc, or an ellipse.
 struct Disc {
     surfel::Surfel surfel;
     Vec3f shape;
+    CutCode code = wholeDisc;
 };
 
 /// The finer discs of one in its own plane, the six about it at a part of its radius.
@@ -93,39 +61,80 @@ bool settle(surfel::Surfel& disc, const surface::Projection<float>& foot, float 
     return true;
 }
 
-/// All finer discs of a block, surfel by surfel. Where the surface has no foot it is looked for half as far away; a
-/// surfel that has none at all stays as it is.
-std::vector<Disc> finerOf(const surface::Surface& surface, const SurfelBlock& block, float radiusOfSupport) {
-    constexpr surface::ProjectOptions options{.projector = surface::Projector::Almost};
-    const int shape = surfel::shapeChannel(*surface.tree().layout());
-    const auto discOf = [&](int i) { return Disc{block.surfel(i), surfel::shapeOf(block, i, shape)}; };
-    const auto radiusOf = [&](int i) { return radiusOfSupport * block.support(i); };
-    std::vector<Vec3f> places;
-    for (int i = 0; i < block.size(); ++i)
-        for (const Disc& each : spread(discOf(i), radiusOf(i), ringRadius))
-            places.push_back(each.surfel.position);
-    std::vector<surface::Projection<float>> feet(places.size());
-    surface::project(surface, places, options, feet);
-    std::vector<Disc> out;
-    for (int i = 0; i < block.size(); ++i) {
-        const float radius = radiusOf(i);
-        const auto far = spread(discOf(i), radius, ringRadius), half = spread(discOf(i), radius, ringRadius / 2);
-        const std::size_t before = out.size();
-        for (std::size_t k = 0; k < discsFor; ++k) {
-            Disc disc = far[k];
-            bool settled = settle(disc.surfel, feet[static_cast<std::size_t>(i) * discsFor + k], radius);
-            if (!settled && k > 0) {
-                disc = half[k];
-                settled = settle(disc.surfel, surface::project(surface, disc.surfel.position, options), radius);
-            }
-            if (settled)
-                out.push_back(disc);
-        }
-        if (out.size() == before)
-            out.push_back(discOf(i));
+/// Makes finer discs, block by block. A worker of one thread.
+class Finer {
+  public:
+    Finer(const surface::Surface& surface, const cells::CellSurface* cells, float radiusOfSupport)
+        : m_surface(surface), m_radius(radiusOfSupport), m_shape(surfel::shapeChannel(*surface.tree().layout())),
+          m_labels(cells ? &cells->labels() : nullptr) {
+        if (cells)
+            m_cells.emplace(*cells, radiusOfSupport);
     }
-    return out;
-}
+
+    /// All of a block, surfel by surfel. Where the surface has no foot it is looked for half as far away; a surfel that
+    /// has none at all stays as it is.
+    std::vector<Disc> of(const SurfelBlock& block) {
+        std::vector<Vec3f> places;
+        for (int i = 0; i < block.size(); ++i)
+            for (const Disc& each : spread(discOf(block, i), radiusOf(block, i), ringRadius))
+                places.push_back(each.surfel.position);
+        std::vector<surface::Projection<float>> feet(places.size());
+        surface::project(m_surface, places, projector, feet);
+        std::vector<Disc> out;
+        CutCodes own{};
+        bool cut = false;
+        for (int i = 0; i < block.size(); ++i) {
+            const float radius = radiusOf(block, i);
+            const auto far = spread(discOf(block, i), radius, ringRadius);
+            const auto half = spread(discOf(block, i), radius, ringRadius / 2);
+            const std::size_t before = out.size();
+            const bool ends =
+                m_cells && m_cells->endsWithin(block.position(i), m_labels->cellAt(block, i), finerReach * radius);
+            for (std::size_t k = 0; k < discsFor; ++k) {
+                Disc disc = far[k];
+                const auto& foot = feet[static_cast<std::size_t>(i) * discsFor + k];
+                bool settled = settle(disc, block, i, ends, &foot);
+                if (!settled && k > 0) {
+                    disc = half[k];
+                    settled = settle(disc, block, i, ends, nullptr);
+                }
+                if (settled)
+                    out.push_back(disc);
+            }
+            if (out.size() > before)
+                continue;
+            out.push_back(discOf(block, i));
+            if (m_labels && !std::exchange(cut, true))
+                LabelCuts(m_surface.tree(), *m_labels, m_radius).cut(block, own);
+            out.back().code = own[static_cast<std::size_t>(i)];
+        }
+        return out;
+    }
+
+  private:
+    static constexpr surface::ProjectOptions projector{.projector = surface::Projector::Almost};
+
+    Disc discOf(const SurfelBlock& block, int i) const { return {block.surfel(i), surfel::shapeOf(block, i, m_shape)}; }
+    float radiusOf(const SurfelBlock& block, int i) const { return m_radius * block.support(i); }
+
+    /// `ends`: an edge is near. `foot`: on the smooth surface, where that is known.
+    bool settle(Disc& disc, const SurfelBlock& block, int i, bool ends, const surface::Projection<float>* foot) {
+        const float radius = radiusOf(block, i);
+        if (m_cells && m_cells->concerns(disc.surfel.position)) {
+            const std::uint32_t cell = m_labels->cellAt(block, i);
+            return ends ? m_cells->settle(disc.surfel, cell, nearFoot * radius, disc.code)
+                        : m_cells->place(disc.surfel, cell, nearFoot * radius);
+        }
+        return render::settle(disc.surfel, foot ? *foot : surface::project(m_surface, disc.surfel.position, projector),
+                              radius);
+    }
+
+    const surface::Surface& m_surface;
+    float m_radius;
+    int m_shape;
+    const cells::LabelLayout* m_labels; ///< null for models without cells
+    std::optional<FinerInCells> m_cells;
+};
 
 /// With the layout of the model's blocks where supports have shapes, else without further attributes.
 surfel::BlockPtr blockOf(std::span<const Disc> discs, const surfel::AttributeLayout& layout) {
@@ -146,7 +155,7 @@ surfel::BlockPtr blockOf(std::span<const Disc> discs, const surfel::AttributeLay
 bool FinerBlocks::any(const tree::SurfelTree& model, const RenderOptions& options) {
     const surfel::AttributeLayout& layout = *model.layout();
     return options.definition.manifold == surface::Manifold::Surface && options.detailPx <= 1 && !options.colours &&
-           layout.normals && !cells::LabelLayout::of(layout) && !layout.find("patch");
+           layout.normals && (cells::LabelLayout::of(layout) || !layout.find("patch"));
 }
 
 void FinerBlocks::use(const surface::SurfaceDefinition& definition, float radiusOfSupport) {
@@ -165,9 +174,8 @@ std::vector<float> FinerBlocks::standOut(std::span<const SurfelBlock* const> blo
         if (!m_kept.contains(block))
             fresh.push_back(block);
     std::vector<float> found(fresh.size());
-    const int shape = m_model.layout() ? surfel::shapeChannel(*m_model.layout()) : 0;
     base::parallelFor(fresh.size(), 4,
-                      [&](std::size_t i) { found[i] = standOutOf(*fresh[i], m_radiusOfSupport, shape); });
+                      [&](std::size_t i) { found[i] = StandOut(m_model, m_radiusOfSupport).of(*fresh[i]); });
     for (std::size_t i = 0; i < fresh.size(); ++i)
         m_kept.try_emplace(fresh[i], Kept{surfel::BlockPtr(fresh[i]), found[i], {}});
     std::vector<float> out;
@@ -184,20 +192,32 @@ void FinerBlocks::prepare(std::span<const SurfelBlock* const> blocks) {
     if (fresh.empty())
         return;
     const surface::Surface surface(m_model, m_definition);
+    std::optional<cells::CellSurface> cells;
+    if (const auto labels = cells::LabelLayout::of(*m_model.layout()))
+        cells = cells::CellSurface::unprepared(surface, *labels);
     std::optional<BoundarySubject> bounded;
     if (std::isfinite(m_definition.boundaryLimit))
         bounded.emplace(m_model, m_definition, m_radiusOfSupport);
     base::parallelFor(fresh.size(), 1, [&](std::size_t b) {
         const SurfelBlock& block = *fresh[b]->block;
-        const std::vector<Disc> kept = finerOf(surface, block, m_radiusOfSupport);
+        const std::vector<Disc> kept = Finer(surface, cells ? &*cells : nullptr, m_radiusOfSupport).of(block);
         std::optional<BoundaryCuts> boundary;
         if (bounded)
             boundary.emplace(*bounded);
+        SharpCuts sharp(m_model, m_radiusOfSupport);
         for (std::size_t first = 0; first < kept.size(); first += surfel::blockCapacity) {
-            const auto size = std::min<std::size_t>(surfel::blockCapacity, kept.size() - first);
-            Part part{blockOf(std::span(kept).subspan(first, size), *m_model.layout()), nullptr};
+            const auto discs =
+                std::span(kept).subspan(first, std::min<std::size_t>(surfel::blockCapacity, kept.size() - first));
+            Part part{blockOf(discs, *m_model.layout()), nullptr};
             CutCodes codes{};
-            if (boundary && boundary->cut(*part.block, codes))
+            bool any = boundary && boundary->cut(*part.block, codes);
+            for (std::size_t i = 0; i < discs.size(); ++i)
+                if (codes[i] == wholeDisc && discs[i].code != wholeDisc) {
+                    codes[i] = discs[i].code;
+                    any = true;
+                }
+            any |= sharp.cut(*part.block, codes);
+            if (any)
                 part.cuts = std::make_unique<CutCodes>(codes);
             fresh[b]->parts.push_back(std::move(part));
         }

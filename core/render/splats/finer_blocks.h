@@ -1,5 +1,5 @@
 // What is drawn instead of blocks whose discs are large in the image and stand out over the surface, as those of few
-// samples do where it bends: for each surfel seven discs of half the radius, on the surface itself (render/README 4.3).
+// samples do where it bends: for each surfel seven discs of half the radius, on the surface itself (render/README 4.4).
 // The other way from node_detail.h, where one disc stands for many.
 //
 // Neighbours decide where the surface is, so that an edit changes the finer discs of blocks that it leaves alone:
@@ -22,7 +22,7 @@ class FinerBlocks {
         std::unique_ptr<CutCodes> cuts;
     };
 
-    /// Whether splats may be drawn finer than they are: of a smooth surface, in a view that rests.
+    /// Whether splats may be drawn finer than they are: of a surface, smooth or with cells, in a view that rests.
     static bool any(const tree::SurfelTree& model, const RenderOptions& options);
     /// What finer discs depend on beside the version; forgets all if it changes.
     void use(const surface::SurfaceDefinition& definition, float radiusOfSupport);

@@ -1,5 +1,7 @@
 #include "core/render/splats/label_cuts.h"
 
+#include "core/render/splats/best_cut.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -19,8 +21,6 @@ constexpr float aboutNearest = 1;
 constexpr float reach = 2.5f;
 /// Cosine between normals of a patch that is no plane to a disc that it cuts.
 constexpr float turned = 0.9f;
-/// How much worse than a gap what is drawn beyond an edge is, for each radius that it is beyond.
-constexpr float fringe = 100;
 /// Cosines: normals on one side of a bend, and on both; where all are this near to their mean nothing is bent.
 constexpr float oneSide = 0.985f, bent = 0.94f, narrow = 0.98f;
 /// Where all are this near to their mean no two differ by as much as a bend.
@@ -32,8 +32,6 @@ constexpr float rounding = 1.0001f;
 /// The same about tips.
 constexpr float sameSide = 0.9f, farTurn = 0.77f;
 constexpr int mostSides = 4;
-/// A cut is rounded to 32nds of a radius: by half of one it leaves no crack.
-constexpr float slack = 0.5f / 32;
 
 } // namespace
 
@@ -251,44 +249,6 @@ void LabelCuts::addBends(const Disc& disc, std::vector<Edge>& edges) const {
     }
 }
 
-namespace {
-
-/// Places of a disc of radius 1, evenly over what is left of it beside an edge: where is which cut right?
-std::vector<std::array<float, 2>> evenPlaces() {
-    constexpr int count = 128;
-    std::vector<std::array<float, 2>> out;
-    for (int i = 0; i < count; ++i) { // golden-angle spiral
-        const float r = cutRadius * std::sqrt((static_cast<float>(i) + 0.5f) / count);
-        const float angle = 2.3999632f * static_cast<float>(i);
-        out.push_back({r * std::cos(angle), r * std::sin(angle)});
-    }
-    return out;
-}
-
-} // namespace
-
-/// What a cut of a disc leaves out of its patch, and what it shows beyond the patch, which counts more: at an outline
-/// that is a fringe, while others may cover what one disc leaves out.
-float LabelCuts::faultOf(const Disc& disc, std::span<const Edge> edges, CutCode code) const {
-    static const std::vector<std::array<float, 2>> places = evenPlaces();
-    const DiscCut cut = discCut(disc.normal, disc.support, code);
-    const Vec3f u = base::perpendicular(disc.normal), v = cross(disc.normal, u);
-    float fault = 0;
-    for (const auto& [x, y] : places) {
-        const Vec3f at = u * x + v * y;
-        const bool drawn = x * x + y * y <= cut.radius * cut.radius && dot(at, cut.direction) <= cut.part &&
-                           (cut.second.part == 0 || dot(at, cut.second.direction) <= cut.second.part);
-        float over = 0;
-        for (const Edge& edge : edges)
-            over = std::max(over, dot(at, edge.direction) - edge.distance / disc.radius);
-        if (over <= 0)
-            fault += drawn ? 0.0f : 1.0f;
-        else if (drawn && over > 2 * slack)
-            fault += fringe * over * over;
-    }
-    return fault;
-}
-
 CutCode LabelCuts::cutOf(const Disc& disc) const {
     std::vector<Edge> edges;
     if (disc.label.meeting != cells::Meeting::None && disc.label.sharpness >= leastSharpness)
@@ -297,26 +257,12 @@ CutCode LabelCuts::cutOf(const Disc& disc) const {
         addBends(disc, edges);
     if (edges.empty())
         return wholeDisc;
-    const auto line = [&](const Edge& by) { return CutLine{by.direction, by.distance / disc.radius + slack}; };
-    const auto code = [&](const Edge& by, Beside beside) {
-        return cutCode(disc.normal, by.direction, line(by).part, beside);
-    };
-    if (edges.size() == 1)
-        return code(edges.front(), turnsAway(edges.front(), disc) ? Beside::Corner : Beside::Edge);
-    CutCode best = code(edges.front(), Beside::Tip);
-    float least = faultOf(disc, edges, best);
-    const auto consider = [&](CutCode other) {
-        if (const float fault = faultOf(disc, edges, other); fault < least)
-            least = fault, best = other;
-    };
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        for (const Beside beside : {Beside::Edge, Beside::Corner, Beside::Tip})
-            if (const CutCode one = code(edges[i], beside); one != wholeDisc)
-                consider(one);
-        for (std::size_t j = i + 1; j < edges.size(); ++j)
-            consider(twoCutsCode(disc.normal, disc.support, line(edges[i]), line(edges[j])));
-    }
-    return best;
+    std::vector<CutLine> lines;
+    for (const Edge& each : edges)
+        lines.push_back({each.direction, each.distance / disc.radius});
+    if (lines.size() == 1)
+        return oneCut(disc.normal, lines.front(), turnsAway(edges.front(), disc) ? Beside::Corner : Beside::Edge);
+    return bestCut(disc.normal, disc.support, lines);
 }
 
 bool LabelCuts::cut(const SurfelBlock& block, CutCodes& codes) {

@@ -48,7 +48,6 @@ class LabelCuts {
     static bool reflex(const Edge& a, const Edge& b, cells::Meeting meeting);
     bool turnsAway(const Edge& edge, const Disc& disc) const;
     std::vector<Edge> edgesOf(const Disc& disc) const;
-    float faultOf(const Disc& disc, std::span<const Edge> edges, CutCode code) const;
     CutCode cutOf(const Disc& disc) const;
 
     const tree::SurfelTree& m_model;
