@@ -31,6 +31,13 @@ std::vector<const surfel::SurfelBlock*> blocksOf(const tree::SurfelTree& model) 
     return out;
 }
 
+std::vector<FinerBlocks::Wish> spreadOf(const std::vector<const surfel::SurfelBlock*>& blocks) {
+    std::vector<FinerBlocks::Wish> out;
+    for (const surfel::SurfelBlock* block : blocks)
+        out.push_back({block, true, true});
+    return out;
+}
+
 /// Samples of a cylinder of radius and half height 1 about z, some `spacing` apart, with a cell for the side (0) and
 /// for each end.
 surfel::SurfelList cylinder(double spacing, std::uint64_t seed) {
@@ -110,7 +117,7 @@ void FinerBlocksTest::finerDiscsLieOnTheSurface() {
         finer.follow(model);
         const auto blocks = blocksOf(model);
         finer.standOut(blocks);
-        finer.prepare(blocks);
+        finer.prepare(spreadOf(blocks));
         const surface::Surface surface(model, definition);
         std::size_t count = 0, cut = 0;
         for (const surfel::SurfelBlock* block : blocks)
@@ -161,7 +168,7 @@ void FinerBlocksTest::edgesHoldTheirFinerDiscs() {
     const auto blocks = blocksOf(model);
     for (const float each : finer.standOut(blocks)) // ends are flat, and their edges are not
         QVERIFY2(each > 0.05f * radius, qPrintable(QString::number(each)));
-    finer.prepare(blocks);
+    finer.prepare(spreadOf(blocks));
     base::Random random(test::seed());
     std::vector<DrawnDisc> discs;
     std::size_t cut = 0, points = 0, out = 0;

@@ -4,6 +4,7 @@
 #include "core/render/splats/boundary_cuts.h"
 #include "core/render/splats/finer_in_cells.h"
 #include "core/render/splats/label_cuts.h"
+#include "core/render/splats/off_surface.h"
 #include "core/render/splats/sharp_cuts.h"
 #include "core/render/splats/stand_out.h"
 #include "core/surface/projection/project.h"
@@ -89,7 +90,7 @@ class Finer {
             const auto half = spread(discOf(block, i), radius, ringRadius / 2);
             const std::size_t before = out.size();
             const bool ends =
-                m_cells && m_cells->endsWithin(block.position(i), m_labels->cellAt(block, i), finerReach * radius);
+                m_cells && m_cells->endsWithin(block.position(i), m_labels->cellAt(block, i), spreadReach * radius);
             for (std::size_t k = 0; k < discsFor; ++k) {
                 Disc disc = far[k];
                 const auto& foot = feet[static_cast<std::size_t>(i) * discsFor + k];
@@ -107,6 +108,21 @@ class Finer {
             if (m_labels && !std::exchange(cut, true))
                 LabelCuts(m_surface.tree(), *m_labels, m_radius).cut(block, own);
             out.back().code = own[static_cast<std::size_t>(i)];
+        }
+        return out;
+    }
+
+    /// One disc for each surfel, at its foot; without one it stays where it is. Of models without cells.
+    std::vector<Disc> settled(const SurfelBlock& block) const {
+        std::vector<Vec3f> places;
+        for (int i = 0; i < block.size(); ++i)
+            places.push_back(block.position(i));
+        std::vector<surface::Projection<float>> feet(places.size());
+        surface::project(m_surface, places, projector, feet);
+        std::vector<Disc> out;
+        for (int i = 0; i < block.size(); ++i) {
+            out.push_back(discOf(block, i));
+            render::settle(out.back().surfel, feet[static_cast<std::size_t>(i)], (finerReach - 1) * radiusOf(block, i));
         }
         return out;
     }
@@ -168,27 +184,50 @@ void FinerBlocks::use(const surface::SurfaceDefinition& definition, float radius
     m_radiusOfSupport = radiusOfSupport;
 }
 
-std::vector<float> FinerBlocks::standOut(std::span<const SurfelBlock* const> blocks) {
-    std::vector<const SurfelBlock*> fresh;
-    for (const SurfelBlock* block : blocks)
-        if (!m_kept.contains(block))
-            fresh.push_back(block);
-    std::vector<float> found(fresh.size());
-    base::parallelFor(fresh.size(), 4,
-                      [&](std::size_t i) { found[i] = StandOut(m_model, m_radiusOfSupport).of(*fresh[i]); });
-    for (std::size_t i = 0; i < fresh.size(); ++i)
-        m_kept.try_emplace(fresh[i], Kept{surfel::BlockPtr(fresh[i]), found[i], {}});
-    std::vector<float> out;
-    for (const SurfelBlock* block : blocks)
-        out.push_back(m_kept.at(block).standOut);
+FinerBlocks::Kept& FinerBlocks::keptOf(const SurfelBlock& block) {
+    Kept& out = m_kept[&block];
+    if (!out.block)
+        out.block = surfel::BlockPtr(&block);
     return out;
 }
 
-void FinerBlocks::prepare(std::span<const SurfelBlock* const> blocks) {
+template <class Measure>
+std::vector<float> FinerBlocks::measured(std::span<const SurfelBlock* const> blocks, float Kept::*value,
+                                         const Measure& measure) {
     std::vector<Kept*> fresh;
     for (const SurfelBlock* block : blocks)
-        if (Kept& kept = m_kept.at(block); kept.parts.empty())
+        if (Kept& kept = keptOf(*block); kept.*value < 0)
             fresh.push_back(&kept);
+    base::parallelFor(fresh.size(), 4, [&](std::size_t i) { fresh[i]->*value = measure(*fresh[i]->block); });
+    std::vector<float> out;
+    for (const SurfelBlock* block : blocks)
+        out.push_back(m_kept.at(block).*value);
+    return out;
+}
+
+std::vector<float> FinerBlocks::standOut(std::span<const SurfelBlock* const> blocks) {
+    return measured(blocks, &Kept::standOut,
+                    [&](const SurfelBlock& block) { return StandOut(m_model, m_radiusOfSupport).of(block); });
+}
+
+std::vector<float> FinerBlocks::offSurface(std::span<const SurfelBlock* const> blocks) {
+    if (m_model.empty() || cells::LabelLayout::of(*m_model.layout()))
+        return std::vector<float>(blocks.size());
+    return measured(blocks, &Kept::offSurface,
+                    [&](const SurfelBlock& block) { return render::offSurface(block, m_radiusOfSupport); });
+}
+
+void FinerBlocks::prepare(std::span<const Wish> wishes) {
+    std::vector<Kept*> fresh;
+    for (const Wish& wish : wishes) {
+        Kept& kept = m_kept.at(wish.block);
+        const bool cut = wish.cut || wish.spread;
+        if (!kept.parts.empty() && kept.spread == wish.spread && (kept.cut || !cut))
+            continue;
+        drop(kept);
+        kept.spread = wish.spread, kept.cut = cut;
+        fresh.push_back(&kept);
+    }
     if (fresh.empty())
         return;
     const surface::Surface surface(m_model, m_definition);
@@ -200,9 +239,10 @@ void FinerBlocks::prepare(std::span<const SurfelBlock* const> blocks) {
         bounded.emplace(m_model, m_definition, m_radiusOfSupport);
     base::parallelFor(fresh.size(), 1, [&](std::size_t b) {
         const SurfelBlock& block = *fresh[b]->block;
-        const std::vector<Disc> kept = Finer(surface, cells ? &*cells : nullptr, m_radiusOfSupport).of(block);
+        Finer finer(surface, cells ? &*cells : nullptr, m_radiusOfSupport);
+        const std::vector<Disc> kept = fresh[b]->spread ? finer.of(block) : finer.settled(block);
         std::optional<BoundaryCuts> boundary;
-        if (bounded)
+        if (bounded && fresh[b]->cut)
             boundary.emplace(*bounded);
         SharpCuts sharp(m_model, m_radiusOfSupport);
         for (std::size_t first = 0; first < kept.size(); first += surfel::blockCapacity) {
@@ -216,7 +256,7 @@ void FinerBlocks::prepare(std::span<const SurfelBlock* const> blocks) {
                     codes[i] = discs[i].code;
                     any = true;
                 }
-            any |= sharp.cut(*part.block, codes);
+            any |= fresh[b]->cut && sharp.cut(*part.block, codes);
             if (any)
                 part.cuts = std::make_unique<CutCodes>(codes);
             fresh[b]->parts.push_back(std::move(part));

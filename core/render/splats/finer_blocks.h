@@ -1,5 +1,6 @@
 // What is drawn instead of blocks whose discs are large in the image and stand out over the surface, as those of few
-// samples do where it bends: for each surfel seven discs of half the radius, on the surface itself (render/README 4.4).
+// samples do where it bends: for each surfel seven discs of half the radius, on the surface itself (render/README 4.4);
+// and instead of those whose surfels lie off the surface, as those of raw scans: the same discs on it (4.5).
 // The other way from node_detail.h, where one disc stands for many.
 //
 // Neighbours decide where the surface is, so that an edit changes the finer discs of blocks that it leaves alone:
@@ -11,8 +12,8 @@
 
 namespace render {
 
-/// How far finer discs reach from the surfels that they stand for, in radii of those.
-constexpr float finerReach = 1.4f;
+/// How far discs that are spread reach from the surfels that they stand for, and any of them, in radii of those.
+constexpr float spreadReach = 1.4f, finerReach = 2.4f;
 
 class FinerBlocks {
   public:
@@ -22,14 +23,23 @@ class FinerBlocks {
         std::unique_ptr<CutCodes> cuts;
     };
 
+    /// What is to stand for a block.
+    struct Wish {
+        const surfel::SurfelBlock* block;
+        bool spread; ///< seven discs for one; else one, where the surface is
+        bool cut;    ///< where the surface ends; those that are spread always are
+    };
+
     /// Whether splats may be drawn finer than they are: of a surface, smooth or with cells, in a view that rests.
     static bool any(const tree::SurfelTree& model, const RenderOptions& options);
     /// What finer discs depend on beside the version; forgets all if it changes.
     void use(const surface::SurfaceDefinition& definition, float radiusOfSupport);
     /// How far the discs of these blocks stand out over the surface, in model units, in their order.
     std::vector<float> standOut(std::span<const surfel::SurfelBlock* const> blocks);
-    /// Makes the finer discs of those blocks of the version followed to that have none, on all cores.
-    void prepare(std::span<const surfel::SurfelBlock* const> blocks);
+    /// How far their surfels lie off it; 0 for models with cells, whose edges would fray.
+    std::vector<float> offSurface(std::span<const surfel::SurfelBlock* const> blocks);
+    /// Makes what is wished for and not there yet, of blocks of the version followed to, on all cores.
+    void prepare(std::span<const Wish> wishes);
     /// Of a block that was prepared.
     std::span<const Part> of(const surfel::SurfelBlock* block) const { return m_kept.at(block).parts; }
     /// Goes on to the next version. Returns the blocks that it shares with the last whose finer discs it dropped.
@@ -39,11 +49,17 @@ class FinerBlocks {
 
   private:
     struct Kept {
-        surfel::BlockPtr block; ///< keeps its address its own
-        float standOut = 0;
+        surfel::BlockPtr block;               ///< keeps its address its own
+        float standOut = -1, offSurface = -1; ///< not known yet
+        bool spread = false, cut = false;     ///< what the parts are
         std::vector<Part> parts;
     };
     void drop(Kept& kept);
+    Kept& keptOf(const surfel::SurfelBlock& block);
+    /// Of each block, what `value` keeps, or `measure` finds.
+    template <class Measure>
+    std::vector<float> measured(std::span<const surfel::SurfelBlock* const> blocks, float Kept::*value,
+                                const Measure& measure);
 
     surface::SurfaceDefinition m_definition;
     float m_radiusOfSupport = 0;

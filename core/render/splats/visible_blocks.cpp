@@ -19,6 +19,8 @@ constexpr float leastGrowth = 0.5f;
 constexpr float awayBy = 0.2f;
 /// Discs of smaller radius in the image are drawn as they are, as are those that stand out by less, both in pixels.
 constexpr float finerPx = 6, standOutPx = 0.75f;
+/// Surfels that lie off the surface by less are drawn where they are.
+constexpr float offPx = 0.35f;
 
 /// A child as its parent knows it, or the root.
 struct NodeExtent {
@@ -238,23 +240,38 @@ void findCuts(const Sight& sight, DiscCuts& cuts, std::span<VisibleBlock> blocks
 
 void findFiner(const Sight& sight, FinerBlocks& finer, std::vector<VisibleBlock>& blocks) {
     const Looker look(sight);
-    std::vector<std::size_t> at;
-    std::vector<const surfel::SurfelBlock*> large, wanted;
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-        const VisibleBlock& each = blocks[i];
-        if (each.proxy || look.pixels(sight.reachOfSupport * each.block->maxSupport(), each.bounds) < finerPx)
-            continue;
-        at.push_back(i);
-        large.push_back(each.block);
-    }
-    const std::vector<float> standOut = finer.standOut(large);
+    const auto within = [&](float leastPx) {
+        std::vector<std::size_t> out;
+        for (std::size_t i = 0; i < blocks.size(); ++i)
+            if (!blocks[i].proxy &&
+                !(look.pixels(sight.reachOfSupport * blocks[i].block->maxSupport(), blocks[i].bounds) < leastPx))
+                out.push_back(i);
+        return out;
+    };
+    const auto blocksAt = [&](const std::vector<std::size_t>& at) {
+        std::vector<const surfel::SurfelBlock*> out;
+        for (const std::size_t i : at)
+            out.push_back(blocks[i].block);
+        return out;
+    };
+    std::vector<FinerBlocks::Wish> wishes;
     std::vector<bool> replaced(blocks.size());
-    for (std::size_t k = 0; k < at.size(); ++k)
-        if (look.pixels(standOut[k], blocks[at[k]].bounds) >= standOutPx) {
-            replaced[at[k]] = true;
-            wanted.push_back(large[k]);
-        }
-    finer.prepare(wanted);
+    const auto wish = [&](std::size_t i, bool spread) {
+        if (replaced[i])
+            return;
+        replaced[i] = true;
+        wishes.push_back({blocks[i].block, spread, blocks[i].large});
+    };
+    const std::vector<std::size_t> large = within(finerPx), any = within(offPx);
+    const std::vector<float> standOut = finer.standOut(blocksAt(large));
+    for (std::size_t k = 0; k < large.size(); ++k)
+        if (look.pixels(standOut[k], blocks[large[k]].bounds) >= standOutPx)
+            wish(large[k], true);
+    const std::vector<float> off = finer.offSurface(blocksAt(any));
+    for (std::size_t k = 0; k < any.size(); ++k)
+        if (look.pixels(off[k], blocks[any[k]].bounds) >= offPx)
+            wish(any[k], false);
+    finer.prepare(wishes);
     std::vector<VisibleBlock> out;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         if (!replaced[i]) {
