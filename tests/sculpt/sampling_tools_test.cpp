@@ -20,6 +20,8 @@ class SamplingToolsTest : public QObject {
     void densityReachesItsFactorAndKeepsTheSurface();
     void densityOfOneStrokeStopsAtItsFactor();
     void densityKeepsToTheSamplingOfEachPlace();
+    void dabsOfWideBrushesOfDensityDoAsMuchAsOthers();
+    void strokesOfWideBrushesOfDensityReachTheirFactorInTheEnd();
 };
 
 void SamplingToolsTest::relaxEvensTheSpacingAndKeepsTheSurface() {
@@ -237,6 +239,75 @@ void SamplingToolsTest::densityKeepsToTheSamplingOfEachPlace() {
                     QVERIFY2(strength > 0 ? ratio > 0.7 && ratio < 4 : ratio > 0.2 && ratio < 1.4, what.constData());
             }
         }
+}
+
+/// Surfels that go or come.
+static std::size_t changesOf(const tree::Edit& edit) {
+    std::size_t out = edit.inserted.size();
+    for (const tree::BlockEdit& each : edit.blocks)
+        out += each.removed.count();
+    return out;
+}
+
+void SamplingToolsTest::dabsOfWideBrushesOfDensityDoAsMuchAsOthers() {
+    constexpr std::size_t count = 30000;
+    const surface::Surface start = test::surfaceOf(test::spherePoints(count));
+    for (const float strength : {1.0f, -1.0f}) {
+        std::unique_ptr<ToolMemory> memory;
+        surface::Surface now = start;
+        Dab dab = dabOf(tool("density"), {0, 0, 1}, 1.0f, strength);
+        dab.first = &start;
+        dab.memory = &memory;
+        for (int k = 0; k < 3; ++k) {
+            const tree::Edit edit = tool("density").apply(now, dab);
+            QVERIFY2(changesOf(edit) > 100 && changesOf(edit) < 6000, qPrintable(QString::number(changesOf(edit))));
+            now = {now.tree().apply(edit), now.definition()};
+        }
+        int slices = 0;
+        for (tree::Edit edit = tool("density").rest(now, *memory); !edit.empty();
+             edit = tool("density").rest(now, *memory)) {
+            QVERIFY2(changesOf(edit) < 6000, qPrintable(QString::number(changesOf(edit))));
+            now = {now.tree().apply(edit), now.definition()};
+            QVERIFY(++slices < 1000);
+        }
+        now.tree().validate();
+        const double expected = strength > 0 ? 0.6 : 1 / 0.6, found = spacingAt(now, count, 0.6f);
+        QVERIFY2(std::abs(found / expected - 1) < 0.18, qPrintable(QString::number(found)));
+    }
+}
+
+void SamplingToolsTest::strokesOfWideBrushesOfDensityReachTheirFactorInTheEnd() {
+    // Places that a random stroke goes over have their part of what they had, and lie where they lay.
+    constexpr std::size_t count = 32000; // more under the brush than have turns at once
+    base::Random random(test::seed());
+    const surface::Surface start = test::surfaceOf(test::spherePoints(count));
+    const auto near = [](const surface::Surface& surface, double& worst) {
+        double out = 0;
+        for (const surfel::Surfel& each : surface.tree().surfels().items)
+            if (distance(each.position, {0, 0, 1}) < 0.5f)
+                ++out, worst = std::max(worst, std::abs(double(length(each.position)) - 1));
+        return out;
+    };
+    for (const bool invert : {false, true}) {
+        StrokeSettings settings = test::settingsOf("density", 0.9f);
+        settings.strength = float(random.uniform(0.3, 1));
+        settings.invert = invert;
+        const auto at = [&] { return float(random.uniform(-0.2, 0.2)); };
+        const surface::Surface after =
+            test::stroked(start, settings, {test::down(-0.4f, at()), test::down(0, at()), test::down(0.4f, at())});
+        after.tree().validate();
+        double worst = 0;
+        const double ratio = near(after, worst) / near(start, worst), expected = invert ? 0.36 : 1 / 0.36;
+        const QString told = QString("%1 of %2, off by %3 spacings, strength %4, seed %5")
+                                 .arg(ratio)
+                                 .arg(expected)
+                                 .arg(worst / test::sphereSpacing(count))
+                                 .arg(double(settings.strength))
+                                 .arg(test::seed());
+        qInfo("%s", qPrintable(told));
+        QVERIFY2(ratio > 0.75 * expected && ratio < 1.3 * expected, qPrintable(told));
+        QVERIFY2(worst < 0.03 * test::sphereSpacing(count), qPrintable(told));
+    }
 }
 
 static const test::Registered<SamplingToolsTest> registered;

@@ -1,33 +1,28 @@
 #include "core/sculpt/tools/density.h"
 
-#include "core/base/parallel.h"
-#include "core/process/estimation/chance.h"
-#include "core/process/resampling/resample.h"
-#include "core/sculpt/block_memo.h"
+#include "core/sculpt/tools/density_aims.h"
+#include "core/sculpt/tools/dues.h"
 #include "core/sculpt/tools/inside.h"
 #include "core/sculpt/tools/settled.h"
 #include "core/surfel/shape.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 
 namespace sculpt {
 
 /// A dab of full strength changes the spacing by at most this: filling looks for room one spacing away, not ten.
 constexpr float largestChange = 1.5f;
-/// How fast supports may change over distance (sculpt/README 6.4).
-constexpr float grading = 0.5f;
 /// What stays inside the rim, in spacings.
 constexpr float margin = 1.5f;
-/// Where the stroke found a sampling that differs by more than this from the centre's, a dab does less and less, up to
-/// where it does nothing: searches reach as far as the coarsest asks, and there the stroke has not come yet.
-constexpr float alike = 1.6f, unlike = 2.5f;
-/// So near to what a stroke is to leave, in parts of it, a surfel has its support.
-constexpr float near = 0.04f;
 /// Supports under a brush that differ by less are one.
 constexpr float even = 1.2f;
+/// So many surfels have their turn in a dab of a stroke.
+constexpr std::size_t atOnce = 1200;
+/// What turns make coarser loses one of such pairs, in spacings, and is filled again: a step of 1.5 leaves none closer
+/// than two thirds, and few turns would not push any that near.
+constexpr float thinning = 0.75f;
+/// Where so many lie in blocks under the brush they have turns.
+constexpr std::size_t wide = 5000;
 
 constexpr ToolParameter parameters[] = {
     {"factor", "Factor", "", "Spacing that the stroke leaves, as a fraction of what it found.", 0.6, 0.25, 1.0},
@@ -35,112 +30,14 @@ constexpr ToolParameter parameters[] = {
 
 namespace {
 
-/// What the dab aims at.
-struct Aim {
-    base::Vec3f centre;
-    float radius;
-    float from, to; ///< supports: where the stroke began, and after this dab in the middle
-
-    /// The graded support of a surfel that had `present`; it goes towards the aim or stays.
-    float support(const base::Vec3f& p, float present) const {
-        const float room = grading * std::max(0.0f, radius - distance(p, centre));
-        return to < from ? std::min(present, std::max(to, from - room)) : std::max(present, std::min(to, from + room));
-    }
-};
-
-/// Supports where the stroke began, and what it has found of them around the surfels that the last dab looked at.
-struct Found {
-    process::SpacingField field;
-    BlockMemo<float> known;
-
-    explicit Found(const surface::Surface& began) : field(began.tree(), 1.0f) {}
-    void measure(std::span<const surfel::BlockPtr> blocks) {
-        known.measure(blocks, [&] {
-            return [search = process::SpacingField::Search(field)](
-                       const surfel::SurfelBlock& block, std::span<const int> slots, std::span<float> out) mutable {
-                std::array<base::Vec3f, surfel::clusterSize> places;
-                for (std::size_t i = 0; i < slots.size(); ++i)
-                    places[i] = block.position(slots[i]);
-                search.at(std::span(places).first(slots.size()), out);
-            };
-        });
-    }
-    float at(const surfel::SurfelBlock& block, int slot) const {
-        const float* const has = known.find(block, slot);
-        return has ? *has : field.at(block.position(slot));
-    }
-};
-
 struct DensityMemory : ToolMemory {
+    surface::Surface began;
     Found found;
     Settled settled;
-    DensityMemory(const surface::Surface& began, const Dab& dab) : found(began), settled(dab.centre, dab.radius) {}
-};
-
-/// The aims of a dab, place by place: where the stroke found an even sampling, one for all.
-class Aims {
-  public:
-    explicit Aims(const Aim& same) : m_middle(same) {}
-    /// `middle`: of the centre. `found`: where the stroke began. `factor`: what is left of the supports there.
-    /// `change`: by as much at once.
-    Aims(const Aim& middle, const Found& found, float factor, float change)
-        : m_middle(middle), m_found(&found), m_factor(factor), m_change(change) {}
-
-    /// Of a surfel that has the support `present`, where the stroke found the support `from`.
-    Aim at(float from, float present) const {
-        if (!m_found)
-            return m_middle;
-        const float goal = from * std::pow(m_factor, share(from));
-        const float most = from + grading * 0.5f * m_middle.radius; // what half the radius has room for
-        return {m_middle.centre, m_middle.radius, from,
-                std::clamp(std::min(goal, most), present / m_change, present * m_change)};
-    }
-    bool concerns(const surfel::SurfelBlock& block, int slot) const {
-        return !m_found || share(m_found->at(block, slot)) > 0;
-    }
-    /// What the dab leaves of a surfel's support. It counts as being at p.
-    float support(const surfel::SurfelBlock& block, int slot, const base::Vec3f& p) const {
-        const float present = block.support(slot);
-        if (!m_found)
-            return m_middle.support(p, present);
-        const float from = m_found->at(block, slot);
-        return share(from) > 0 ? at(from, present).support(p, present) : present;
-    }
-    float support(const surfel::SurfelBlock& block, int slot) const {
-        return support(block, slot, block.position(slot));
-    }
-    bool reached(const surfel::SurfelBlock& block, int slot) const {
-        const float present = block.support(slot);
-        return std::abs(support(block, slot) - present) < near * present;
-    }
-    /// And of those that are new, in parallel.
-    void grade(std::span<surfel::Surfel> born) const {
-        base::parallelChunks(born.size(), 256, [&](std::size_t begin, std::size_t end, std::size_t) {
-            const std::span<surfel::Surfel> some = born.subspan(begin, end - begin);
-            std::vector<float> from(some.size(), 0.0f);
-            if (m_found) {
-                std::vector<base::Vec3f> places(some.size());
-                for (std::size_t i = 0; i < some.size(); ++i)
-                    places[i] = some[i].position;
-                process::SpacingField::Search(m_found->field).at(places, from);
-            }
-            for (std::size_t i = 0; i < some.size(); ++i) {
-                const Aim aim = at(from[i], some[i].support);
-                some[i].support = aim.support(some[i].position, aim.from);
-            }
-        });
-    }
-
-  private:
-    /// How much a dab does where the stroke found this support: 1 where it is like the centre's.
-    float share(float from) const {
-        const float apart = std::abs(std::log(from / m_middle.from));
-        return std::clamp((std::log(unlike) - apart) / std::log(unlike / alike), 0.0f, 1.0f);
-    }
-
-    Aim m_middle;
-    const Found* m_found = nullptr; ///< null: one for all
-    float m_factor = 1, m_change = 1;
+    Dues dues;
+    std::vector<Dab> dabs; ///< of the stroke, as `dues` counts them
+    DensityMemory(const surface::Surface& first, const Dab& dab)
+        : began(first), found(first), settled(dab.centre, dab.radius), dues(dab.centre, dab.radius) {}
 };
 
 /// Do the supports under the brush differ?
@@ -154,30 +51,28 @@ bool uneven(const tree::SurfelTree& tree, const Brush& brush) {
     return most > even * least;
 }
 
-/// Gives all that is under the brush and stays its graded support, on top of what `edit` does.
-tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aims& aims, tree::Edit edit) {
+/// Gives these surfels their graded supports, on top of what `edit` does. The others of their blocks have those that
+/// they had.
+tree::Edit graded(const tree::SurfelTree& tree, const tree::Selection& under, const Aims& aims, tree::Edit edit) {
     tree::Edit out;
     out.inserted = std::move(edit.inserted);
     aims.grade(out.inserted.items);
-    std::vector<BrushBlock> blocks = blocksUnder(tree, brush.centre, brush.radius);
     const int shape = surfel::shapeChannel(*tree.layout());
-    out.blocks.resize(blocks.size());
-    base::parallelFor(blocks.size(), 8, [&](std::size_t b) {
+    out.blocks.resize(under.size());
+    base::parallelFor(under.size(), 8, [&](std::size_t b) {
         tree::BlockEdit& change = out.blocks[b];
-        change.block = blocks[b].number;
+        change.block = under[b].block;
         const auto found = std::lower_bound(edit.blocks.begin(), edit.blocks.end(), change.block,
                                             [](const tree::BlockEdit& e, std::uint32_t n) { return e.block < n; });
         if (found != edit.blocks.end() && found->block == change.block)
             change = *found;
-        const surfel::SurfelBlock& now = change.changed ? *change.changed : *blocks[b].block;
+        const surfel::BlockPtr before = tree.block(change.block);
+        const surfel::SurfelBlock& now = change.changed ? *change.changed : *before;
         surfel::MutableBlockPtr changed;
-        alignas(64) float weight[lanes];
         for (int slot = 0; slot < now.size(); ++slot) {
-            if (slot % surfel::clusterSize == 0)
-                brush.weigh(blocks[b], slot / surfel::clusterSize, weight);
-            const float support = weight[slot % surfel::clusterSize] > 0
-                                      ? aims.support(*blocks[b].block, slot, now.position(slot))
-                                      : blocks[b].block->support(slot);
+            const float support = under[b].slots[static_cast<std::size_t>(slot)]
+                                      ? aims.support(*before, slot, now.position(slot))
+                                      : before->support(slot);
             if (support == now.support(slot))
                 continue;
             if (!changed)
@@ -191,11 +86,10 @@ tree::Edit graded(const tree::SurfelTree& tree, const Brush& brush, const Aims& 
     return out;
 }
 
-/// Where the sampling differs: those that the dab concerns, well inside of the rim for what they are to become.
-/// `coarsest`: of them.
+/// Where the sampling differs: of what is under the brush those that the dab concerns, well inside of the rim for what
+/// they are to become. `coarsest`: of them.
 tree::Selection concerned(const tree::SurfelTree& tree, const Brush& brush, const Aims& aims, float perSpacing,
-                          float& coarsest) {
-    tree::Selection out = inside(tree, brush, brush.radius);
+                          tree::Selection out, float& coarsest) {
     std::vector<float> most(out.size());
     base::parallelFor(out.size(), 8, [&](std::size_t i) {
         const surfel::BlockPtr block = tree.block(out[i].block);
@@ -216,71 +110,215 @@ tree::Selection concerned(const tree::SurfelTree& tree, const Brush& brush, cons
     return out;
 }
 
-/// Each place to its own aim.
-tree::Edit byPlaces(const surface::Surface& version, const Brush& brush, const Aims& aims, const Aims& goals,
-                    DensityMemory& memory, process::ResampleOptions options) {
-    Found& found = memory.found;
-    const tree::SurfelTree& tree = version.tree();
-    const float perSpacing = process::supportOf(version.definition(), 1.0f);
-    std::vector<surfel::BlockPtr> around = blocksAround(tree, brush.centre, brush.radius);
-    found.measure(around);
-    options.spacing = options.support = 0; // supports follow in `graded`
-    const tree::Selection which =
-        memory.settled.drop(tree, concerned(tree, brush, aims, perSpacing, options.spacing),
-                            {brush.centre, brush.radius - margin * options.spacing},
-                            [&](const surfel::SurfelBlock& block, int slot) { return goals.reached(block, slot); });
-    around = blocksAround(tree, brush.centre, brush.radius + inTheWay * options.spacing);
-    found.known.keepOnly(around);
-    found.measure(around);
-    options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
-        return aims.support(block, slot) / perSpacing;
-    };
-    return graded(tree, brush, aims, process::resample(version, which, options));
-}
+/// One dab, or what it has left.
+class DensityDab {
+  public:
+    /// `left`: the number of a dab that comes again for that.
+    DensityDab(const surface::Surface& version, const surface::Surface& began, const Dab& dab, DensityMemory& memory,
+               std::optional<int> left)
+        : m_version(version), m_began(began), m_tree(version.tree()), m_dab(dab), m_memory(memory), m_left(left),
+          m_brush(dab), m_perSpacing(process::supportOf(version.definition(), 1.0f)),
+          m_oneSupport(version.definition().support > 0), m_strength(std::abs(dab.strength)) {}
+
+    tree::Edit run() {
+        m_first = process::localSpacing(m_began, m_dab.centre);
+        m_present = process::localSpacing(m_version, m_dab.centre);
+        if (m_dab.strength == 0 || !(m_first > 0) || !(m_present > 0)) {
+            if (m_left)
+                m_memory.dues.forgive(*m_left);
+            return {};
+        }
+        const float parameter = m_dab.parameter("factor");
+        m_factor = m_dab.strength < 0 ? 1 / parameter : parameter;
+        m_goal = m_dab.strength < 0 ? m_first / parameter : m_first * parameter;
+        if (!m_oneSupport)
+            m_goal = std::min(m_goal, m_first + grading * 0.5f * m_dab.radius / m_perSpacing);
+        m_options.relaxAll = true;
+        m_byTurns = m_left || isWide();
+        // A turn is one of few and fills twice, or what is wide would end coarser than what is narrow.
+        if (m_dab.strength > 0 && !m_byTurns)
+            m_options.order = process::Order::RelaxFirst;
+        if (m_byTurns && m_dab.strength < 0)
+            m_options.merge = thinning;
+        return !m_oneSupport && uneven(m_began.tree(), m_brush) ? byPlaces() : byOneAim();
+    }
+
+  private:
+    static float changeOf(float strength) { return std::pow(largestChange, strength); }
+    float stepFrom(float present, float strength) const {
+        return std::clamp(m_goal, present / changeOf(strength), present * changeOf(strength));
+    }
+    Aim aimAt(float spacing) const {
+        return {m_dab.centre, m_dab.radius, m_first * m_perSpacing,
+                process::supportOf(m_version.definition(), spacing)};
+    }
+    /// Are there far more under the brush than have their turn at once? A dab alone does all, and so does one whose
+    /// surfels are known by the version.
+    bool isWide() const {
+        std::size_t under = 0;
+        if (m_dab.memory && !m_dab.connected && !m_oneSupport)
+            m_tree.forBlocksInBall(m_brush.centre, m_brush.radius,
+                                   [&](std::uint32_t, const surfel::SurfelBlock& block) {
+                                       under += static_cast<std::size_t>(block.size());
+                                   });
+        return under > wide;
+    }
+    /// What the dab does of what it owes, or what it has left of that. `aims`: of the stroke.
+    template <class Which>
+    Dues::Turn turn(bool alike, const Aims& goals, const Which& which) {
+        const auto look = [&](const Dues::Cell& cell) {
+            Dues::Seen out;
+            out.under = inside(m_tree, m_brush, m_brush.radius, cell.surfels);
+            float within = 0;
+            out.which = which(out.under, within);
+            out.there = allReached(out.which, goals);
+            out.whole = distance(cell.middle, m_brush.centre) + cell.reach < within;
+            return out;
+        };
+        const int atGoal = m_dab.strength > 0 ? 1 : 3; // fewer every time, and cheaper
+        const Dues::Wanted wanted{m_tree, atOnce, atGoal, alike, look};
+        if (m_left)
+            return m_memory.dues.rest(*m_left, wanted);
+        Dab& kept = m_memory.dabs.emplace_back(m_dab);
+        kept.first = nullptr, kept.past = {}, kept.layers = nullptr; // the stroke's, for as long as the dab
+        m_memory.dues.owe(m_tree, m_dab.centre, m_dab.radius, m_strength);
+        return m_memory.dues.next(wanted);
+    }
+    bool allReached(const tree::Selection& which, const Aims& goals) const {
+        for (const tree::SelectedBlock& each : which) {
+            const surfel::BlockPtr block = m_tree.block(each.block);
+            for (int slot = 0; slot < block->size(); ++slot)
+                if (each.slots[static_cast<std::size_t>(slot)] && !goals.reached(*block, slot))
+                    return false;
+        }
+        return true;
+    }
+
+    /// The brush without its rim, for a step from the spacing `present`.
+    float withinFor(float present, float strength) const {
+        // Coarse sampling begins only where the supports are wide enough for it.
+        const float spacing = stepFrom(present, strength);
+        const Aim aim = aimAt(spacing);
+        const float ramp = m_oneSupport ? 0.0f : std::max(0.0f, aim.to - aim.from) / grading;
+        return m_dab.radius - std::max(ramp, margin * std::max(present, spacing));
+    }
+    /// Where the stroke found an even sampling.
+    tree::Edit byOneAim() {
+        const Aims goals(aimAt(m_goal));
+        Dues::Turn now{{}, {}, m_strength, 0};
+        if (m_byTurns) {
+            // of what comes to more than one dab at once, and began anywhere between start and goal
+            const float within = std::min(withinFor(m_first, 1), withinFor(m_goal, 1));
+            now = turn(true, goals, [&](const tree::Selection& under, float& whole) {
+                return inside(m_tree, m_brush, whole = within, under);
+            });
+        } else {
+            const float within = withinFor(m_present, m_strength);
+            now.under = inside(m_tree, m_brush, m_brush.radius);
+            now.which = inside(m_tree, m_brush, within);
+            if (!m_oneSupport)
+                now.which = m_memory.settled.drop(
+                    m_tree, std::move(now.which), {m_dab.centre, within},
+                    [&](const surfel::SurfelBlock& block, int slot) { return goals.reached(block, slot); });
+        }
+        const float present = now.support > 0 ? process::spacingOf(m_version.definition(), now.support) : m_present;
+        m_options.spacing = stepFrom(present, now.strength);
+        m_options.support = process::supportOf(m_version.definition(), m_options.spacing);
+        tree::Edit edit = process::resample(m_version, now.which, m_options);
+        return m_oneSupport ? edit : graded(m_tree, now.under, Aims(aimAt(m_options.spacing)), std::move(edit));
+    }
+
+    /// Each place to its own aim.
+    tree::Edit byPlaces() {
+        Found& found = m_memory.found;
+        const float factor = m_factor / process::reachByChance(m_began, m_dab.centre);
+        const auto aimsOf = [&](float strength) {
+            return Aims(aimAt(stepFrom(m_present, strength)), found, factor, changeOf(strength));
+        };
+        const Aims goals(aimAt(m_goal), found, factor, std::numeric_limits<float>::infinity());
+        float coarsest = 0;
+        Dues::Turn now{{}, {}, m_strength, 0};
+        if (m_byTurns) {
+            const Aims most = aimsOf(1);
+            now = turn(false, goals, [&](const tree::Selection& under, float& whole) {
+                std::vector<surfel::BlockPtr> blocks;
+                for (const tree::SelectedBlock& each : under)
+                    blocks.push_back(m_tree.block(each.block));
+                found.measure(blocks);
+                float here = 0;
+                tree::Selection which = concerned(m_tree, m_brush, most, m_perSpacing, under, here);
+                whole = m_brush.radius - margin * here;
+                coarsest = std::max(coarsest, here);
+                return which;
+            });
+        } else {
+            found.measure(blocksAround(m_tree, m_brush.centre, m_brush.radius));
+            now.under = inside(m_tree, m_brush, m_brush.radius);
+            now.which = concerned(m_tree, m_brush, aimsOf(m_strength), m_perSpacing, now.under, coarsest);
+            now.which = m_memory.settled.drop(
+                m_tree, std::move(now.which), {m_brush.centre, m_brush.radius - margin * coarsest},
+                [&](const surfel::SurfelBlock& block, int slot) { return goals.reached(block, slot); });
+        }
+        m_options.spacing = coarsest;
+        measureAround(now.which);
+        const Aims aims = aimsOf(now.strength);
+        m_options.targetOf = [&](const surfel::SurfelBlock& block, int slot) {
+            return aims.support(block, slot) / m_perSpacing;
+        };
+        return graded(m_tree, now.under, aims,
+                      process::resample(m_version, now.which, m_options)); // supports follow in `graded`
+    }
+    /// What resampling of these will look at. Of the rest, what the brush may come to again is kept.
+    void measureAround(const tree::Selection& which) {
+        const float around = inTheWay * m_options.spacing;
+        m_memory.found.known.keepOnly(blocksAround(m_tree, m_brush.centre, m_brush.radius + around));
+        std::map<std::uint32_t, surfel::BlockPtr> near;
+        for (const tree::SelectedBlock& each : which) {
+            const base::Box3f box = m_tree.block(each.block)->box();
+            m_tree.forBlocksInBall(box.centre(), 0.5f * box.diagonal() + around,
+                                   [&](std::uint32_t number, const surfel::SurfelBlock&) {
+                                       near.try_emplace(number, m_tree.block(number));
+                                   });
+        }
+        std::vector<surfel::BlockPtr> blocks;
+        for (const auto& [number, block] : near)
+            blocks.push_back(block);
+        m_memory.found.measure(blocks);
+    }
+
+    const surface::Surface &m_version, &m_began;
+    const tree::SurfelTree& m_tree;
+    const Dab& m_dab;
+    DensityMemory& m_memory;
+    const std::optional<int> m_left;
+    const Brush m_brush;
+    const float m_perSpacing;
+    const bool m_oneSupport;
+    const float m_strength;
+    bool m_byTurns = false;
+    float m_first = 0, m_present = 0, m_factor = 1, m_goal = 0; ///< spacings at the centre; of the stroke
+    process::ResampleOptions m_options;
+};
 
 } // namespace
 
 static tree::Edit density(const surface::Surface& version, const Dab& dab) {
-    const Brush brush(dab);
-    const surface::SurfaceDefinition& definition = version.definition();
     const surface::Surface& began = dab.first ? *dab.first : version;
-    const float first = process::localSpacing(began, dab.centre);
-    const float present = process::localSpacing(version, dab.centre);
-    if (dab.strength == 0 || !(first > 0) || !(present > 0))
-        return {};
-    const float parameter = dab.parameter("factor"), factor = dab.strength < 0 ? 1 / parameter : parameter;
-    const float perSpacing = process::supportOf(definition, 1.0f);
-    const bool oneSupport = definition.support > 0;
-    float goal = dab.strength < 0 ? first / parameter : first * parameter;
-    if (!oneSupport)
-        goal = std::min(goal, first + grading * 0.5f * dab.radius / perSpacing);
-    const float change = std::pow(largestChange, std::abs(dab.strength));
-    process::ResampleOptions options;
-    options.spacing = std::clamp(goal, present / change, present * change);
-    options.support = process::supportOf(definition, options.spacing);
-    options.relaxAll = true;
-    if (dab.strength > 0)
-        options.order = process::Order::RelaxFirst;
-    const Aim aim{dab.centre, dab.radius, process::supportOf(definition, first), options.support};
-    const Aim end{dab.centre, dab.radius, aim.from, process::supportOf(definition, goal)};
     std::unique_ptr<ToolMemory> once;
     auto& memory = memoryOf<DensityMemory>(dab, once, began, dab);
-    if (!oneSupport && uneven(began.tree(), brush)) {
-        const float reach = process::reachByChance(began, dab.centre);
-        const Found& found = memory.found;
-        return byPlaces(version, brush, Aims(aim, found, factor / reach, change),
-                        Aims(end, found, factor / reach, std::numeric_limits<float>::infinity()), memory, options);
+    return DensityDab(version, began, dab, memory, {}).run();
+}
+
+/// What the dabs have left, a part of it.
+static tree::Edit densityRest(const surface::Surface& version, ToolMemory& stroke) {
+    auto& memory = static_cast<DensityMemory&>(stroke);
+    while (const std::optional<int> left = memory.dues.firstDab()) {
+        const Dab& dab = memory.dabs[static_cast<std::size_t>(*left)];
+        tree::Edit edit = DensityDab(version, memory.began, dab, memory, left).run();
+        if (!edit.empty())
+            return edit;
     }
-    // Coarse sampling begins only where the supports are wide enough for it.
-    const float ramp = oneSupport ? 0.0f : std::max(0.0f, aim.to - aim.from) / grading;
-    const float within = dab.radius - std::max(ramp, margin * std::max(present, options.spacing));
-    tree::Selection which = inside(version.tree(), brush, within);
-    if (!oneSupport)
-        which = memory.settled.drop(
-            version.tree(), std::move(which), {dab.centre, within},
-            [&, goals = Aims(end)](const surfel::SurfelBlock& block, int slot) { return goals.reached(block, slot); });
-    tree::Edit edit = process::resample(version, which, options);
-    return oneSupport ? edit : graded(version.tree(), brush, Aims(aim), std::move(edit));
+    return {};
 }
 
 const ToolRow densityTool{"density",
@@ -292,6 +330,8 @@ const ToolRow densityTool{"density",
                           1.0,
                           parameters,
                           density,
-                          Writes::Count};
+                          Writes::Count,
+                          {},
+                          densityRest};
 
 } // namespace sculpt

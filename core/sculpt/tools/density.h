@@ -7,6 +7,9 @@
 // Where the stroke found different supports under the brush, s is each place's own, and a dab works where that is like
 // the centre's (sculpt/README 6.4): fine detail under a wide brush is not eaten, a coarse part is not drowned.
 //
+// A dab of a wide brush sees to some 1200 surfels; later dabs, and the end of the stroke, do what it owes to the others
+// (dues.h).
+//
 // A stroke that passes twice goes no further than s'; the next stroke starts from there. Supports are graded, because
 // neighbours with very different ones ripple (sculpt/README 6.4): the full change needs room, and where a coarse target
 // leaves none the brush does as much as fits half its radius. Masked surfels stay; new ones are interpolated.

@@ -8,5 +8,7 @@ namespace sculpt {
 
 /// Those with a weight above 0 that lie within `radius` of the brush's centre.
 tree::Selection inside(const tree::SurfelTree& tree, const Brush& brush, float radius);
+/// Of these. On one thread.
+tree::Selection inside(const tree::SurfelTree& tree, const Brush& brush, float radius, const tree::Selection& among);
 
 } // namespace sculpt
