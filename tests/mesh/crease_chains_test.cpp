@@ -14,6 +14,7 @@ class CreaseChainsTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void sharpEdgesAmongBumpsAreNoCreases();
+    void facetsThatSamplesTellApartKeepTheirEdges();
     void wrinklesThatEndSoonAreNoCreases();
     void furrowsAmongBumpsAreNoCreases();
     void foldedTrianglesFaceNoOtherWay();
@@ -49,6 +50,20 @@ void CreaseChainsTest::sharpEdgesAmongBumpsAreNoCreases() {
     const mesh::OpenedFaces open = mesh::openFaces(torus.list(), torus.triangles, {}, options);
     QVERIFY(open.messages.back().find("noise") != std::string::npos);
     QVERIFY(!labelsOf(openedFaces(torus, 3000).points).empty());
+}
+
+/// The same faces, and furrows, by how finely they are sampled: what is many spacings wide is no noise of a scan.
+void CreaseChainsTest::facetsThatSamplesTellApartKeepTheirEdges() {
+    const mesh::FaceTopology topology = bumpy(test::seed()).topology();
+    std::size_t before = 0;
+    for (const double spacing : {0.1, 0.05, 0.02, 0.005, 0.0005}) {
+        const mesh::CreaseChains chains = clearChains(topology, spacing);
+        QCOMPARE(chains.edges.size() + chains.rounded.size(), topology.sharpEdges.size());
+        QVERIFY(chains.edges.size() >= before);
+        before = chains.edges.size();
+    }
+    QVERIFY2(10 * before > 9 * topology.sharpEdges.size(),
+             qPrintable(QString("%1 of %2, seed %3").arg(before).arg(topology.sharpEdges.size()).arg(test::seed())));
 }
 
 /// Statues have them at eyes, lips and ears, between faces that bend a little; a groove of as many edges in a plane

@@ -23,12 +23,14 @@ constexpr double manyCorners = 40;
 constexpr std::size_t fewestOfSure =
     20;                         ///< edges of a chain that no scan has by chance, as many more for each free end
 constexpr double shortest = 10; ///< spacings: as wide as the bands beside an edge that ends
+constexpr double resolved = 8;  ///< spacings: of facets this wide samples tell each by itself
 
 /// Sharp edges that hang together.
 struct Chain {
     std::size_t edges = 0, tips = 0;        ///< a tip is a place within the surface where one sharp edge ends
     double corners = 0;                     ///< places where three and more meet
     double length = 0, turn = 0, rough = 0; ///< times length
+    double width = 0;                       ///< likewise: of what is beside the edges, which are no longer than that
 
     /// The furrows of a brain: a web of edges among bumps, with hardly an end.
     bool isWeb() const {
@@ -36,6 +38,9 @@ struct Chain {
                static_cast<double>(edges) < webbed * (static_cast<double>(tips) + corners);
     }
     bool clear(double spacing) const {
+        const bool foldedOver = tips == 0 && edges <= 3; // around one triangle
+        if (width >= resolved * spacing * length && !foldedOver)
+            return true;
         if (isWeb())
             return false;
         const bool bumpy = rough >= leastRough * length && turn < (tips > 0 ? standsOut : closedStandsOut) * rough;
@@ -43,7 +48,7 @@ struct Chain {
             return false;
         if (fewestOfTip * std::max(tips, std::size_t{1}) <= edges)
             return true;
-        if (tips == 0 && edges <= 3) // around a triangle that is folded over
+        if (foldedOver)
             return false;
         return rough < plain * length && (fewestOfStub * tips < edges || length >= shortest * spacing);
     }
@@ -71,6 +76,9 @@ CreaseChains clearChains(const FaceTopology& topology, std::span<const double> s
         chain.length += length;
         chain.turn += length * edges[e].turn;
         chain.rough += length * edges[e].rough;
+        // the height of the lower triangle over it
+        const double lower = std::min(topology.areas[edges[e].left], topology.areas[edges[e].right]);
+        chain.width += length > 0 ? length * std::min(length, 2 * lower / length) : 0;
         for (std::size_t k = 0; k < 2; ++k) {
             const int there = meeting[edges[e].ends[k]];
             chain.tips += there == 1 && !edges[e].atBorder[k] ? 1 : 0;
