@@ -17,8 +17,8 @@ namespace {
 constexpr double leastSharpness = 0.5;
 /// Sine of the angle between disc and cell below which they meet in no line that could be told.
 constexpr double leastSine = 0.05;
-/// As far behind a line, in radii, what it ends must be gone.
-constexpr double behind = 0.1;
+/// As far behind a line, in radii, what it ends must be gone; on narrow faces a little farther (cells/README 3).
+constexpr double behind = 0.1, farBehind = 0.6;
 /// Discs beyond an edge go back to it; at corners to the next one too.
 constexpr int mostMoves = 4;
 /// Of the support: how near to a foot steps are done; one more has the square of that as its error.
@@ -82,6 +82,11 @@ bool FinerInCells::isCutOff(std::size_t i) {
     return cutOff(m_source, i, toleranceHere(i));
 }
 
+bool FinerInCells::isGone(std::uint32_t cell) {
+    const std::size_t i = m_source.find(cell);
+    return i == CellSource::none || !cells::valid(m_source.at(i, Need::Value)) || isCutOff(i);
+}
+
 /// Looks just behind the line where it is, and whether the cell is gone there.
 void FinerInCells::follow(Edge& edge, const Vec3d& y, const Vec3d& normal, std::uint32_t cell, double within) {
     if (std::abs(edge.distance) > within) // too far off to be looked at
@@ -89,15 +94,18 @@ void FinerInCells::follow(Edge& edge, const Vec3d& y, const Vec3d& normal, std::
     const double looked = edge.distance + behind * within;
     m_source.moveTo(y + edge.direction * looked);
     const std::size_t i = m_source.find(cell), j = m_source.find(edge.other);
-    edge.alone = i == CellSource::none || !cells::valid(m_source.at(i, Need::Value)) || isCutOff(i);
-    if (i == CellSource::none || j == CellSource::none)
-        return;
-    if (const Meeting how = m_source.meeting(i, j); how != Meeting::None)
+    edge.alone = isGone(cell);
+    const bool both = i != CellSource::none && j != CellSource::none;
+    if (const Meeting how = both ? m_source.meeting(i, j) : Meeting::None; how != Meeting::None)
         if (const auto level = levelOf(j, how))
             if (const auto nearer = edgeOf(*level, normal)) {
                 edge.distance = nearer->distance + dot(nearer->direction, edge.direction) * looked;
                 edge.direction = nearer->direction;
             }
+    if (edge.alone)
+        return;
+    m_source.moveTo(y + edge.direction * (edge.distance + farBehind * within));
+    edge.alone = isGone(cell);
 }
 
 /// All lines about the source's position, which lies on cell i, that are within twice a length, or have passed it.
@@ -170,14 +178,22 @@ bool FinerInCells::settle(surfel::Surfel& disc, std::uint32_t cell, float far, C
             return false;
         y += worst->direction * (worst->distance - 1e-4 * radius);
     }
-    put(disc, y, normal);
     for (Edge& each : m_edges)
         follow(each, y, normal, cell, radius);
+    // on narrow faces surface goes on a little beyond their edges, which discs would show
+    for (const Edge& each : m_edges)
+        if (each.alone && each.distance < 0) {
+            const Vec3d back = each.direction * each.distance;
+            y += back;
+            for (Edge& other : m_edges)
+                other.distance -= dot(other.direction, back);
+        }
+    put(disc, y, normal);
     std::vector<CutLine> lines;
     const Edge* together = nullptr;
     int others = 0;
     for (const Edge& each : m_edges)
-        if (each.alone && each.distance > -1e-2 * radius && each.distance < radius)
+        if (each.alone && each.distance < radius)
             lines.push_back(
                 {base::cast<float>(each.direction), static_cast<float>(std::max(0.0, each.distance) / radius)});
         else if (!each.alone) {

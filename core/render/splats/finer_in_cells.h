@@ -45,6 +45,7 @@ class FinerInCells {
     static std::optional<Edge> edgeOf(const Level& level, const base::Vec3d& normal);
     double toleranceHere(std::size_t i);
     bool isCutOff(std::size_t i);
+    bool isGone(std::uint32_t cell);
     void findEdges(const base::Vec3d& normal, std::size_t i, double within);
     void follow(Edge& edge, const base::Vec3d& y, const base::Vec3d& normal, std::uint32_t cell, double within);
 
