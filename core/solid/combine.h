@@ -34,6 +34,7 @@ struct CombineOptions {
     double fillet = 0;   ///< radius of a ball that rounds the seam; 0: it stays sharp
     double chamfer = 0;  ///< the seam is cut flat between where a ball of that radius touches both; 0: it is not
     bool seams = false;  ///< trace them
+    bool parts = false;  ///< count those that go as a whole
 
     /// Of the ball that rolls along the seam; 0: there is none.
     double ball() const { return std::max(fillet, chamfer); }
@@ -46,6 +47,8 @@ struct Combined {
     std::size_t atSeam = 0;          ///< surfels beside the seam, where it is a crease
     std::size_t rounded = 0;         ///< surfels of the fillet or chamfer
     std::optional<base::Vec3d> open; ///< caps only: where the model is open as it is cut
+    std::size_t partsGone = 0;       ///< parts of the model of which nothing is left; counted where asked for
+    std::size_t otherPartsGone = 0;  ///< of the operand
     std::vector<SeamCurve> seams;    ///< where both surfaces cross; traced where asked for, or for a fillet
 };
 

@@ -26,6 +26,7 @@ class SolidCommandsTest : public QObject {
     void whatBothKnowOfTheirRimsStaysKnown();
     void insideOfOpenModelsIsSaidToBeAGuess();
     void whatMeetsNothingIsSaidToBeApart();
+    void whatIsSwallowedIsTold();
     void wrongNumbersAreRefused();
 };
 
@@ -215,6 +216,18 @@ void SolidCommandsTest::whatMeetsNothingIsSaidToBeApart() {
             bench.run(json::parse(QString(line).arg(x).toStdString()));
             QVERIFY2(told(bench, "does not meet") == apart, line);
         }
+}
+
+void SolidCommandsTest::whatIsSwallowedIsTold() {
+    for (const auto& [size, gone] : {std::pair("0.3", false), std::pair("2", true)}) {
+        Workbench bench;
+        bench.run(test::newSphere(2500));
+        bench.run(json::parse(R"({"op":"primitive","size":"0.3","position":"4,0,0"})"));
+        QVERIFY(!told(bench, "gone as a whole"));
+        bench.run(
+            json::parse(QString(R"({"op":"primitive","size":"%1","position":"4.2,0,0"})").arg(size).toStdString()));
+        QVERIFY2(told(bench, "A part of the model is gone as a whole.") == gone, size);
+    }
 }
 
 void SolidCommandsTest::wrongNumbersAreRefused() {

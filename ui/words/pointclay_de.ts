@@ -5473,6 +5473,22 @@
         <translation>Doppelte: %1 von %2 Punkten standen am Ort anderer und wurden mit ihnen vereinigt.</translation>
     </message>
     <message>
+        <source>A part of the model is gone as a whole.</source>
+        <translation>Ein Teil des Modells ist ganz verschwunden.</translation>
+    </message>
+    <message>
+        <source>%1 parts of the model are gone as a whole.</source>
+        <translation>%1 Teile des Modells sind ganz verschwunden.</translation>
+    </message>
+    <message>
+        <source>A part of the other one left no trace: it does not meet the model's surface.</source>
+        <translation>Ein Teil des anderen hat keine Spur hinterlassen: Er trifft die Fläche des Modells nicht.</translation>
+    </message>
+    <message>
+        <source>%1 parts of the other one left no trace: they do not meet the model's surface.</source>
+        <translation>%1 Teile des anderen haben keine Spur hinterlassen: Sie treffen die Fläche des Modells nicht.</translation>
+    </message>
+    <message>
         <source>It does not meet the model's surface: what came is a part of its own.</source>
         <translation>Es trifft die Fläche des Modells nicht: Was kam, ist ein Teil für sich.</translation>
     </message>

@@ -42,7 +42,19 @@ void take(Context& context, solid::Combined result, const char* label, const std
 
 void takeBoth(Context& context, solid::Combined result, const char* label) {
     const bool apart = result.removed == 0 && result.inserted > 0;
+    const std::size_t gone = result.partsGone, otherGone = result.otherPartsGone;
+    context.figures["parts_gone"] = static_cast<double>(gone);
+    context.figures["other_parts_gone"] = static_cast<double>(otherGone);
+    const bool changed = result.removed + result.inserted > 0;
     take(context, std::move(result), label);
+    if (gone > 0)
+        context.messages.push_back(gone == 1 ? std::string("A part of the model is gone as a whole.")
+                                             : std::to_string(gone) + " parts of the model are gone as a whole.");
+    if (otherGone > 0 && changed)
+        context.messages.push_back(
+            otherGone == 1 ? std::string("A part of the other one left no trace: it does not meet the model's surface.")
+                           : std::to_string(otherGone) +
+                                 " parts of the other one left no trace: they do not meet the model's surface.");
     if (apart)
         context.messages.push_back("It does not meet the model's surface: what came is a part of its own.");
 }
@@ -85,6 +97,7 @@ CommandParameter chamferParameter() {
 
 solid::CombineOptions combineOptions(const nlohmann::json& complete) {
     solid::CombineOptions out;
+    out.parts = true;
     out.creases = complete.at("creases").get<bool>();
     if (const auto fillet = complete.find("fillet"); fillet != complete.end())
         out.fillet = fillet->get<double>();
