@@ -1,8 +1,8 @@
 // Cuts, compiled once per instruction set and chosen at run time (Google Highway).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/tree/cut_lanes.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/tree/cut_lanes.h"
+#include "core/base/instruction_sets.h"
 
 #include "core/base/box.h"
 #include "core/surfel/surfel_block.h"

@@ -1,8 +1,8 @@
 // The walk for many positions, compiled once per instruction set and chosen at run time (Google Highway).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/tree/nearest_together.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/tree/nearest_together.h"
+#include "core/base/instruction_sets.h"
 
 #include "core/tree/nearest_order.h"
 

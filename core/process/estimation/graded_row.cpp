@@ -1,8 +1,8 @@
 // Compiled once per instruction set and chosen at run time (Google Highway).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/process/estimation/graded_row.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/process/estimation/graded_row.h"
+#include "core/base/instruction_sets.h"
 
 #include <limits>
 

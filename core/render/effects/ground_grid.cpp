@@ -2,6 +2,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/render/effects/ground_grid.cpp"
+#include "core/base/instruction_sets.h"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

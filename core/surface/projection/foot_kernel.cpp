@@ -2,7 +2,7 @@
 // Highway).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/projection/foot_kernel.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#include "core/base/instruction_sets.h"
 #include "core/surface/projection/foot_lanes.h"
 
 #include "core/surface/evaluation/sufficiency.h"

@@ -1,8 +1,8 @@
 // The walk to the nearest disc, compiled once per instruction set and chosen at run time (Google Highway).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/rays/disc_kernel.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/surface/rays/disc_kernel.h"
+#include "core/base/instruction_sets.h"
 
 #include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>

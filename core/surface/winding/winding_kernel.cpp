@@ -1,8 +1,8 @@
 // The sum over groups, compiled once per instruction set and chosen at run time (Google Highway).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/winding/winding_kernel.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/surface/winding/winding_kernel.h"
+#include "core/base/instruction_sets.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>

@@ -2,8 +2,8 @@
 // the surfels of a cluster are the lanes, and those around them are visited one by one.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/evaluation/kernels/free_space_kernel.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/surface/evaluation/kernels/free_space_kernel.h"
+#include "core/base/instruction_sets.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>

@@ -6,8 +6,8 @@
 // positions are picked out of the clusters, in tree order; the others would add exact zeros.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/evaluation/kernels/self_kernel.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/surface/evaluation/kernels/self_kernel.h"
+#include "core/base/instruction_sets.h"
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>

@@ -2,7 +2,7 @@
 // (Google Highway).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/surface/evaluation/kernels/support_kernel.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#include "core/base/instruction_sets.h"
 #include "core/surface/evaluation/candidates.h"
 
 #include <hwy/foreach_target.h>
