@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-struct Options {
+struct BenchArguments {
     std::vector<std::string> names;
     std::string model, json;
     GivenParameters faces;
@@ -42,7 +42,7 @@ std::vector<const Workload*> chosen(const std::vector<std::string>& names) {
     return out;
 }
 
-std::unique_ptr<bench::Scene> sceneOf(const Options& options, Console& console) {
+std::unique_ptr<bench::Scene> sceneOf(const BenchArguments& options, Console& console) {
     const base::Progress progress = console.progress();
     if (options.model.empty())
         return std::make_unique<bench::Scene>(options.scene, progress);
@@ -126,7 +126,7 @@ ordered_json jsonOf(const Workload& workload, std::size_t points, const Measurem
     return out;
 }
 
-void run(const Options& options, Console& console) {
+void runBench(const BenchArguments& options, Console& console) {
     const std::vector<const Workload*> workloads = chosen(options.names);
     const std::unique_ptr<bench::Scene> scene = sceneOf(options, console);
     ordered_json rows = ordered_json::array();
@@ -173,7 +173,7 @@ std::string namesHelp() {
 } // namespace
 
 Action addBench(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchArguments>();
     command.add("WORKLOAD", options->names, namesHelp());
     Option model =
         command.add("--model", options->model, std::string(modelHelp) + "; queries are placed around its surfels")
@@ -195,7 +195,7 @@ Action addBench(OptionSet command) {
         .showDefault();
     addFaceOptions(command, options->faces, model);
     command.add("--json", options->json, "also write the results as JSON").typeName("OUT.json");
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runBench(*options, console); };
 }
 
 } // namespace app

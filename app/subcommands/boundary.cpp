@@ -35,7 +35,7 @@ void tell(const std::vector<BoundaryCurve>& curves, const session::Document& doc
                   << session::placeText(middleOf(curves[i]) + document.provenance().origin, size) << '\n';
 }
 
-void run(const PolylineOptions& options, Console& console) {
+void runBoundary(const PolylineOptions& options, Console& console) {
     session::Document document;
     const base::Progress progress = console.progress();
     openForPolylines(options, document, progress, console, "a curve has ends, not a boundary");
@@ -58,7 +58,7 @@ Action addBoundary(OptionSet command) {
     addPolylineOptions(command, *options, "boundary curve",
                        "rim,closed,x,y,z,nx,ny,nz,ox,oy,oz (curves counted from 0, longest first; unit normal; unit "
                        "direction away from the surface)");
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runBoundary(*options, console); };
 }
 
 } // namespace app

@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-struct Options {
+struct CleanArguments {
     std::string in, out, report, viewpoint, memory;
     bool duplicates = false, mixed = false, dryRun = false;
     BatchOptions batch;
@@ -32,7 +32,7 @@ std::string viewpointFault(const std::string& text) {
     return parseNumbers(text, ',', v) ? "" : "'" + text + "' is not a place; write x,y,z";
 }
 
-nlohmann::json commandOf(const Options& options) {
+nlohmann::json commandOf(const CleanArguments& options) {
     nlohmann::json out = parametersOf(options.steps);
     out["op"] = "clean";
     out["duplicates"] = options.duplicates;
@@ -80,7 +80,7 @@ ordered_json reportOf(const nlohmann::json& command, const session::Context& con
 }
 
 /// One file; its report.
-ordered_json cleaned(const Options& options, const BatchJob& job, Console& console) {
+ordered_json cleaned(const CleanArguments& options, const BatchJob& job, Console& console) {
     if (!options.dryRun)
         requireModelName(job.out);
     if (!options.memory.empty() && needsTiles(job.in, bytesOf(options.memory))) {
@@ -107,7 +107,7 @@ ordered_json cleaned(const Options& options, const BatchJob& job, Console& conso
     return reportOf(command, context, before);
 }
 
-void run(const Options& options, OptionSet set, Console& console) {
+void runClean(const CleanArguments& options, OptionSet set, Console& console) {
     if (options.dryRun && options.batch.wanted())
         throw UsageError("--dry-run is of one file, not of many");
     if (!options.batch.wanted()) {
@@ -137,7 +137,7 @@ void run(const Options& options, OptionSet set, Console& console) {
 } // namespace
 
 Action addClean(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CleanArguments>();
     command.add("IN", options->in, modelHelp).required();
     command.add("OUT", options->out, "model to write; .ply keeps everything; may be left out with --dry-run");
     for (const session::CommandParameter& p : session::command("clean").parameters)
@@ -162,7 +162,7 @@ Action addClean(OptionSet command) {
         .check({memoryFault});
     addBatchOptions(command, options->batch);
     options->surface = addSurfaceOptions(command, false);
-    return [options, command](Console& console) { run(*options, command, console); };
+    return [options, command](Console& console) { runClean(*options, command, console); };
 }
 
 } // namespace app

@@ -51,7 +51,7 @@ static std::string report(const std::string& out, const io::FileModel& model, bo
 
 namespace {
 
-struct Options {
+struct ConvertArguments {
     std::string in, out;
     GivenParameters faces;
     double thin = 0; ///< 0: not
@@ -60,7 +60,7 @@ struct Options {
 };
 
 /// LAS without all of it in memory, where it is to be thinned.
-io::FileModel readInput(const Options& options, const std::string& in, bool& thinnedYet,
+io::FileModel readInput(const ConvertArguments& options, const std::string& in, bool& thinnedYet,
                         const base::Progress& progress) {
     if (options.thin > 0 && !session::hasReadParameters(parametersOf(options.faces)))
         if (auto thinned = io::thinnedLas(in, options.thin, bytesOf(options.memory), process::part(progress, 0, 0.8))) {
@@ -76,7 +76,7 @@ io::FileModel readInput(const Options& options, const std::string& in, bool& thi
     return readModel(in, parametersOf(options.faces), progress);
 }
 
-void convert(const Options& options, const BatchJob& job, Console& console) {
+void convert(const ConvertArguments& options, const BatchJob& job, Console& console) {
     requireOutputs({{"OUT", job.out}});
     requireModelName(job.out);
     const base::Progress progress = console.progress();
@@ -94,7 +94,7 @@ void convert(const Options& options, const BatchJob& job, Console& console) {
     console.tell(report(job.out, model, replaces));
 }
 
-void run(const Options& options, OptionSet set, Console& console) {
+void runConvert(const ConvertArguments& options, OptionSet set, Console& console) {
     if (options.batch.wanted())
         return runBatch("convert", set, options.batch, {options.in, options.out}, {"ply", isWritableModel, false},
                         console, [&](const BatchJob& job) {
@@ -110,7 +110,7 @@ void run(const Options& options, OptionSet set, Console& console) {
 } // namespace
 
 Action addConvert(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ConvertArguments>();
     command.add("IN", options->in, modelHelp).required();
     command.add("OUT", options->out, "file to write: " + writableExtensions());
     Option thin = command.add("--thin", options->thin,
@@ -124,7 +124,7 @@ Action addConvert(OptionSet command) {
         .showDefault();
     addFaceOptions(command, options->faces);
     addBatchOptions(command, options->batch);
-    return [options, command](Console& console) { run(*options, command, console); };
+    return [options, command](Console& console) { runConvert(*options, command, console); };
 }
 
 } // namespace app

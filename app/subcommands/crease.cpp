@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-struct Options : ModelCommand {
+struct CreaseArguments : ModelCommand {
     std::string along, report;
     bool detect = false;
 };
@@ -37,14 +37,14 @@ ordered_json reportOf(const surface::Surface& surface, const std::map<std::strin
     return out;
 }
 
-json lineOf(const Options& options, const base::Progress& progress) {
+json lineOf(const CreaseArguments& options, const base::Progress& progress) {
     json out = json::array();
     for (const base::Vec3d& p : readPoints(std::filesystem::path(options.along), progress))
         out.push_back({p.x, p.y, p.z});
     return out;
 }
 
-void run(const Options& options, Console& console) {
+void runCrease(const CreaseArguments& options, Console& console) {
     requireOutputs({{"-o", options.out}, {"--report", options.report}});
     if (options.detect == !options.along.empty())
         throw UsageError("crease needs one of --detect and --along, and not both");
@@ -65,7 +65,7 @@ void run(const Options& options, Console& console) {
 } // namespace
 
 Action addCrease(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CreaseArguments>();
     addModelAndOutput(command, *options);
     command.addFlag("--detect", options->detect, "find creases in the points, in place of those that are there");
     command
@@ -83,7 +83,7 @@ Action addCrease(OptionSet command) {
              "(patches that were left smooth), of --along creased and changed (points)")
         .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runCrease(*options, console); };
 }
 
 } // namespace app

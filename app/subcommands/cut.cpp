@@ -8,14 +8,14 @@ namespace app {
 
 namespace {
 
-struct Options : ModelCommand {
+struct CutArguments : ModelCommand {
     bool cap = false;
 };
 
 } // namespace
 
 Action addCut(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CutArguments>();
     addModelAndOutput(command, *options);
     for (const session::CommandParameter& p : session::command("cut").parameters) {
         const std::string_view id = p.id;

@@ -20,7 +20,7 @@ using base::Vec3d;
 
 namespace {
 
-struct Options {
+struct HapticArguments {
     std::string model, trajectory, out, plot;
     haptics::ToolShape tool;
     haptics::ForceLaw law;
@@ -28,7 +28,7 @@ struct Options {
 };
 
 /// The law alone: nobody holds this device, so there is nothing to ramp, to limit or to keep passive.
-haptics::ServoOptions servoOptions(const Options& options) {
+haptics::ServoOptions servoOptions(const HapticArguments& options) {
     haptics::ServoOptions out;
     out.tool = options.tool;
     out.law = options.law;
@@ -44,7 +44,7 @@ void write(CsvWriter& csv, const haptics::Tick& tick, const haptics::TimedPlace&
     csv.endRow();
 }
 
-void run(const Options& options, Console& console) {
+void runHaptic(const HapticArguments& options, Console& console) {
     requireOutputs({{"-o", options.out}, {"--plot", options.plot}});
     requireInputsKept({{"-o", options.out}, {"--plot", options.plot}}, {options.model, options.trajectory});
     session::Document document;
@@ -84,7 +84,7 @@ void run(const Options& options, Console& console) {
 } // namespace
 
 Action addHaptic(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<HapticArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     command
         .add("--trajectory", options->trajectory,
@@ -138,7 +138,7 @@ Action addHaptic(OptionSet command) {
         .showDefault();
     command.add("--plot", options->plot, "PNG to draw of the force over time").typeName("F.png").check(pictureName());
     options->surface = addSurfaceOptions(command, false);
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runHaptic(*options, console); };
 }
 
 } // namespace app

@@ -25,7 +25,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-struct Options {
+struct InfoArguments {
     std::string model;
     bool json = false;
     std::shared_ptr<SurfaceOptions> surface;
@@ -158,7 +158,7 @@ void print(const ordered_json& info, bool json) {
                 }
 }
 
-void describeFile(const Options& options, io::FileModel model, const base::Progress& progress, Console& console) {
+void describeFile(const InfoArguments& options, io::FileModel model, const base::Progress& progress, Console& console) {
     session::OpenedFile file = session::opened(options.model, std::move(model), options.surface->parameters(),
                                                process::part(progress, 0.2, 0.3));
     console.tell(file.model.messages);
@@ -173,14 +173,14 @@ void describeScene(const session::Scene& scene, bool json, Console& console) {
     print(info, json);
 }
 
-void describeSceneFile(const Options& options, const base::Progress& progress, Console& console) {
+void describeSceneFile(const InfoArguments& options, const base::Progress& progress, Console& console) {
     session::Document document;
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
     openModel(context, options.model, options.surface->parameters(), console, SceneUse::AsItIs);
     describeScene(document.scene(), options.json, console);
 }
 
-void describeParts(const Options& options, io::FileModel file, const base::Progress& progress, Console& console) {
+void describeParts(const InfoArguments& options, io::FileModel file, const base::Progress& progress, Console& console) {
     std::vector<std::string> messages;
     const session::Scene scene =
         session::modelsOf(std::move(file), options.model, options.surface->parameters(), messages, progress);
@@ -191,7 +191,7 @@ void describeParts(const Options& options, io::FileModel file, const base::Progr
 } // namespace
 
 Action addInfo(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<InfoArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     command.addFlag("--json", options->json, "print a JSON object, lengths in model units");
     options->surface = addSurfaceOptions(command, false);

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t batchSize = 16384;
 
-struct Options {
+struct IntersectArguments {
     std::string model, rays, out, policy = "fast", hits = "first";
     std::shared_ptr<SurfaceOptions> surface;
 };
@@ -140,7 +140,7 @@ const char* headerOf(const std::string& hits) {
     return hits == "all" ? "ray,t,x,y,z,nx,ny,nz\n" : "hit,t,x,y,z,nx,ny,nz\n";
 }
 
-void run(const Options& options, Console& console) {
+void runIntersect(const IntersectArguments& options, Console& console) {
     requireOutputs({{"-o", options.out}});
     requireInputsKept({{"-o", options.out}}, {options.model, options.rays});
     session::Document document;
@@ -177,7 +177,7 @@ void run(const Options& options, Console& console) {
 } // namespace
 
 Action addIntersect(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<IntersectArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     command.add("--rays", options->rays, "text file with the header ox,oy,oz,dx,dy,dz, in model units")
         .typeName("RAYS.csv")
@@ -200,7 +200,7 @@ Action addIntersect(OptionSet command) {
         .check(oneOf({"fast", "robust"}))
         .showDefault();
     options->surface = addSurfaceOptions(command, true);
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runIntersect(*options, console); };
 }
 
 } // namespace app

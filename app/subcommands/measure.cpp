@@ -27,7 +27,7 @@ using base::Vec3d;
 
 namespace {
 
-struct Options {
+struct MeasureArguments {
     std::string model, other, shape, range, path, csv, out, colours;
     std::vector<std::string> what, distance, geodesic, angle, thicknessAt;
     std::size_t bins = 0;
@@ -61,7 +61,7 @@ Vec3d placeOf(const std::string& text) {
     return {v[0], v[1], v[2]};
 }
 
-std::optional<std::pair<double, double>> rangeOf(const Options& options) {
+std::optional<std::pair<double, double>> rangeOf(const MeasureArguments& options) {
     double v[2];
     if (options.range.empty() || !parseNumbers(options.range, ',', v))
         return {};
@@ -76,7 +76,7 @@ void refuseCurve(const surface::Surface& surface, const std::string& model) {
 }
 
 /// What options belong to is asked for, too.
-void checkUsage(const Options& options) {
+void checkUsage(const MeasureArguments& options) {
     const auto needs = [](bool given, bool there, const char* name, const char* of) {
         if (given && !there)
             throw UsageError(std::string(name) + " belongs to " + of);
@@ -113,7 +113,7 @@ double angleOf(const surface::Surface& surface, const std::vector<Vec3d>& places
 }
 
 /// What is told by places.
-void measurePlaces(const Options& options, const surface::Surface& surface, Measurements& out,
+void measurePlaces(const MeasureArguments& options, const surface::Surface& surface, Measurements& out,
                    const base::Progress& progress) {
     if (!options.distance.empty())
         out.distance = {placeOf(options.distance[0]), placeOf(options.distance[1])};
@@ -131,8 +131,8 @@ void measurePlaces(const Options& options, const surface::Surface& surface, Meas
         out.thicknessAt.push_back(process::thicknessAt(surface, placeOf(text) - out.origin));
 }
 
-void measureDeviation(const Options& options, const session::Document& document, Measurements& out, Console& console,
-                      const base::Progress& progress) {
+void measureDeviation(const MeasureArguments& options, const session::Document& document, Measurements& out,
+                      Console& console, const base::Progress& progress) {
     session::Document other;
     session::Context beside{other, {}, console.progress(), {}, 0, {}, nullptr};
     openModel(beside, options.other, nlohmann::json::object(), console);
@@ -148,7 +148,7 @@ void measureDeviation(const Options& options, const session::Document& document,
 }
 
 /// Area and volume where nothing is named.
-Measurements measure(const Options& options, const session::Document& document, Console& console,
+Measurements measure(const MeasureArguments& options, const session::Document& document, Console& console,
                      const base::Progress& progress) {
     Measurements out;
     out.origin = document.provenance().origin;
@@ -193,7 +193,7 @@ void writeTable(const std::string& path, const session::Document& document, cons
 }
 
 /// What goes to files, all of which are whole or not there.
-void writeFiles(const Options& options, session::Context& context, Measurements& found) {
+void writeFiles(const MeasureArguments& options, session::Context& context, Measurements& found) {
     if (!options.path.empty())
         writePolylines(options.path, std::vector<process::Geodesic>{*found.geodesic}, found.origin, {},
                        "curve,closed,x,y,z,nx,ny,nz\n", [](CsvWriter&, const process::GeodesicPoint&) {});
@@ -208,7 +208,7 @@ void writeFiles(const Options& options, session::Context& context, Measurements&
     session::run(context, {{"op", "save"}, {"path", options.out}});
 }
 
-void run(const Options& options, Console& console) {
+void runMeasure(const MeasureArguments& options, Console& console) {
     checkUsage(options);
     const base::Progress progress = console.progress();
     const base::CancelScope scope(progress.cancel);
@@ -225,7 +225,7 @@ void run(const Options& options, Console& console) {
         std::cout << measurementsText(found);
 }
 
-void addPlaceOptions(OptionSet command, Options& options) {
+void addPlaceOptions(OptionSet command, MeasureArguments& options) {
     const Check place{placeFault};
     command.add("--distance", options.distance, "distance of two places, in a straight line")
         .text("A B")
@@ -254,7 +254,7 @@ void addPlaceOptions(OptionSet command, Options& options) {
         .check(place);
 }
 
-void addSurfelOptions(OptionSet command, Options& options) {
+void addSurfelOptions(OptionSet command, MeasureArguments& options) {
     command
         .add("--to", options.other,
              std::string("measure from each surfel to the nearest place of this model's surface, positive on the side "
@@ -281,7 +281,7 @@ void addSurfelOptions(OptionSet command, Options& options) {
 } // namespace
 
 Action addMeasure(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MeasureArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     command
         .add("WHAT", options->what,
@@ -298,7 +298,7 @@ Action addMeasure(OptionSet command) {
         .check(idOf(process::shapeTable()));
     command.addFlag("--json", options->json, "print a JSON object, lengths in model units");
     options->surface = addSurfaceOptions(command, false);
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runMeasure(*options, console); };
 }
 
 } // namespace app

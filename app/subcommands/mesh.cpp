@@ -22,7 +22,7 @@ namespace app {
 
 namespace {
 
-struct Options {
+struct MeshArguments {
     std::string model, out, method = "marching-cubes", report;
     mesh::MarchingOptions marching;
     mesh::DelaunayOptions delaunay;
@@ -35,7 +35,7 @@ struct Options {
     bool isDelaunay() const { return method == "delaunay"; }
 };
 
-void checkUsage(const Options& options, OptionSet command) {
+void checkUsage(const MeshArguments& options, OptionSet command) {
     if (!options.batch.wanted() && !io::meshFormatOf(options.out))
         throw UsageError("-o: the file's name must end in one of " + io::meshExtensions());
     const auto onlyWith = [&](const char* method, std::initializer_list<const char*> names) {
@@ -52,7 +52,7 @@ void tellCount(Console& console, std::size_t count, const char* what) {
         console.tell(std::to_string(count) + what);
 }
 
-mesh::Mesh makeByCubes(const Options& options, const surface::Surface& surface, Console& console,
+mesh::Mesh makeByCubes(const MeshArguments& options, const surface::Surface& surface, Console& console,
                        const base::Progress& progress) {
     mesh::MarchingReport report;
     mesh::Mesh out = marchingCubes(surface, options.marching, report, progress);
@@ -60,7 +60,7 @@ mesh::Mesh makeByCubes(const Options& options, const surface::Surface& surface, 
     return out;
 }
 
-mesh::Mesh makeByDelaunay(const Options& options, const surface::Surface& surface, Console& console,
+mesh::Mesh makeByDelaunay(const MeshArguments& options, const surface::Surface& surface, Console& console,
                           const base::Progress& progress) {
     mesh::DelaunayReport report;
     mesh::Mesh out = restrictedDelaunay(surface, options.delaunay, report, progress);
@@ -75,14 +75,15 @@ mesh::Mesh makeByDelaunay(const Options& options, const surface::Surface& surfac
     return out;
 }
 
-mesh::Mesh makeByPatches(const Options& options, const complexes::Complex& complex, const base::Progress& progress) {
+mesh::Mesh makeByPatches(const MeshArguments& options, const complexes::Complex& complex,
+                         const base::Progress& progress) {
     if (options.isDelaunay() || options.adaptive > 0)
         throw base::Error("a complex is meshed patch by patch, in cubes of one size", options.model,
                           "leave out --method and --adaptive");
     return mesh::meshOfComplex(complex, {options.marching.cell}, progress);
 }
 
-void judge(const Options& options, const mesh::Mesh& mesh, const surface::Surface& surface,
+void judge(const MeshArguments& options, const mesh::Mesh& mesh, const surface::Surface& surface,
            const base::Progress& progress) {
     const double spacing = double(process::typicalSpacing(surface.tree()));
     const mesh::Report report = mesh::check(mesh, surface, progress);
@@ -93,7 +94,7 @@ void judge(const Options& options, const mesh::Mesh& mesh, const surface::Surfac
 }
 
 /// One file; how many there are of what.
-nlohmann::ordered_json meshed(const Options& options, const BatchJob& job, Console& console) {
+nlohmann::ordered_json meshed(const MeshArguments& options, const BatchJob& job, Console& console) {
     session::Document document;
     const base::Progress progress = console.progress();
     session::Context context{document, {}, progress, {}, 0, {}, nullptr};
@@ -111,7 +112,7 @@ nlohmann::ordered_json meshed(const Options& options, const BatchJob& job, Conso
     return {{"vertices", mesh.positions.size()}, {"triangles", mesh.triangles.size()}};
 }
 
-void run(const Options& options, OptionSet command, Console& console) {
+void runMesh(const MeshArguments& options, OptionSet command, Console& console) {
     if (!options.batch.wanted() || !options.out.empty())
         requireOneOutput(options.batch, options.out);
     checkUsage(options, command);
@@ -158,7 +159,7 @@ void addMarchingOptions(OptionSet command, mesh::MarchingOptions& options) {
 } // namespace
 
 Action addMesh(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MeshArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     std::string formats = "mesh file to write, in file coordinates; beside positions and triangles it keeps";
     for (const io::MeshFormatRow& row : io::meshFormatTable())
@@ -195,7 +196,7 @@ Action addMesh(OptionSet command) {
     return [options, command](Console& console) {
         options->delaunay.finishing = options->marching.finishing = options->finishing;
         options->delaunay.adaptive = options->marching.adaptive = options->adaptive;
-        run(*options, command, console);
+        runMesh(*options, command, console);
     };
 }
 

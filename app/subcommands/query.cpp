@@ -108,12 +108,12 @@ std::vector<Answer> answer(const Surface& surface, const CellAnswers* byCells, c
     return out;
 }
 
-struct Options {
+struct QueryArguments {
     std::string model, points, what, out;
     std::shared_ptr<SurfaceOptions> surface;
 };
 
-void query(const Options& options, Console& console) {
+void query(const QueryArguments& options, Console& console) {
     requireOutputs({{"-o", options.out}});
     requireInputsKept({{"-o", options.out}}, {options.model, options.points});
     const Question question = parseQuestion(options.what);
@@ -171,7 +171,7 @@ std::string whatHelp() {
 } // namespace
 
 Action addQuery(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<QueryArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     command.add("--at", options->points, "positions: text with x y z per line, or any readable model")
         .typeName("POINTS")

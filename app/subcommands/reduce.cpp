@@ -19,13 +19,13 @@ namespace {
 
 constexpr const char* wishes[] = {"count", "ratio", "error"};
 
-struct Options {
+struct ReduceArguments {
     std::string model, out, report;
     GivenParameters wish;
     std::shared_ptr<SurfaceOptions> surface;
 };
 
-void run(const Options& options, OptionSet command, Console& console) {
+void runReduce(const ReduceArguments& options, OptionSet command, Console& console) {
     requireOutputs({{"-o", options.out}, {"--report", options.report}});
     requireModelName(options.out);
     int asked = 0;
@@ -53,7 +53,7 @@ void run(const Options& options, OptionSet command, Console& console) {
 } // namespace
 
 Action addReduce(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReduceArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     command.add("-o,--output", options->out, "model to write: " + writableExtensions()).typeName("OUT").required();
     for (const session::CommandParameter& p : session::command("reduce").parameters)
@@ -65,7 +65,7 @@ Action addReduce(OptionSet command) {
              "over a point, holes (points that miss the reduced surface alone), shapes")
         .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
-    return [options, command](Console& console) { run(*options, command, console); };
+    return [options, command](Console& console) { runReduce(*options, command, console); };
 }
 
 } // namespace app

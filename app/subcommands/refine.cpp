@@ -18,14 +18,14 @@ namespace app {
 
 namespace {
 
-struct Options {
+struct RefineArguments {
     std::string model, out, report, against;
     GivenParameters wish;
     std::shared_ptr<SurfaceOptions> surface;
 };
 
 /// The refined model beside the one that was reduced: its points to the new surface, as `reduce` tells it.
-reduce::Report compared(const Options& options, const surface::Surface& refined, const base::Vec3d& origin,
+reduce::Report compared(const RefineArguments& options, const surface::Surface& refined, const base::Vec3d& origin,
                         const base::Progress& progress, Console& console) {
     session::Document document;
     session::Context context{document, {}, process::part(progress, 0, 0.5), {}, 0, {}, nullptr};
@@ -34,7 +34,7 @@ reduce::Report compared(const Options& options, const surface::Surface& refined,
     return reduce::verifyAgainst(model, refined, process::part(progress, 0.5, 1));
 }
 
-void run(const Options& options, Console& console) {
+void runRefine(const RefineArguments& options, Console& console) {
     requireOutputs({{"-o", options.out}, {"--report", options.report}});
     requireModelName(options.out);
     nlohmann::json wish = parametersOf(options.wish);
@@ -62,7 +62,7 @@ void run(const Options& options, Console& console) {
 } // namespace
 
 Action addRefine(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RefineArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     command.add("-o,--output", options->out, "model to write: " + writableExtensions()).typeName("OUT").required();
     for (const session::CommandParameter& p : session::command("refine").parameters)
@@ -77,7 +77,7 @@ Action addRefine(OptionSet command) {
              "JSON file to write that to, lengths in model units, with the keys of `reduce`")
         .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runRefine(*options, console); };
 }
 
 } // namespace app

@@ -22,14 +22,14 @@ using session::Scans;
 
 namespace {
 
-struct Options {
+struct RegisterArguments {
     std::vector<std::string> moving;
     std::string fixed, out, report;
     bool global = false;
     std::shared_ptr<SurfaceOptions> surface;
 };
 
-Scans opened(const Options& options, Console& console) {
+Scans opened(const RegisterArguments& options, Console& console) {
     Scans out;
     std::vector<std::string> names{options.fixed};
     names.insert(names.end(), options.moving.begin(), options.moving.end());
@@ -74,7 +74,7 @@ nlohmann::ordered_json reportOf(const Scans& scans) {
     return out;
 }
 
-void run(const Options& options, Console& console) {
+void runRegister(const RegisterArguments& options, Console& console) {
     requireOutputs({{"-o", options.out}, {"--report", options.report}});
     requireModelName(options.out);
     const base::Progress progress = console.progress();
@@ -97,7 +97,7 @@ void run(const Options& options, Console& console) {
 } // namespace
 
 Action addRegister(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RegisterArguments>();
     command.add("MOVING", options->moving, "models to move").required();
     command.add("--to", options->fixed, "model that stays where it is").typeName("FIXED").required();
     command
@@ -115,7 +115,7 @@ Action addRegister(OptionSet command) {
              "not slide along the others; unique: it was not found to fit nearly as well in another place")
         .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runRegister(*options, console); };
 }
 
 } // namespace app

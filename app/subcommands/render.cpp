@@ -20,7 +20,7 @@ namespace app {
 
 namespace {
 
-struct Options {
+struct RenderArguments {
     std::string model, image, depth, stats, mode = "splats", backend = "cpu";
     std::shared_ptr<ViewOptions> view;
     render::PictureOptions picture;
@@ -62,7 +62,7 @@ void tellOfHidden(const session::Scene& scene, Console& console) {
                      " hidden in the model, and not drawn; the command `show` of sessions shows them.");
 }
 
-void run(Options options, Console& console) {
+void runRender(RenderArguments options, Console& console) {
     requireOutputs({{"-o", options.image}, {"--depth", options.depth}, {"--stats", options.stats}});
     session::Document document;
     const base::Progress progress = console.progress();
@@ -93,7 +93,7 @@ void run(Options options, Console& console) {
 } // namespace
 
 Action addRender(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RenderArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     command.add("-o,--output", options->image, "picture to write")
         .typeName("IMAGE.png")
@@ -137,7 +137,7 @@ Action addRender(OptionSet command) {
              "rays: antialias_rays, shadow_rays, occlusion_rays, path_rays (reflected and refracted)")
         .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runRender(*options, console); };
 }
 
 } // namespace app

@@ -15,7 +15,7 @@ namespace app {
 
 namespace {
 
-struct Options {
+struct ResampleArguments {
     std::string model, out;
     double spacing = 0, tolerance = 0;
     std::size_t count = 0;
@@ -24,7 +24,7 @@ struct Options {
     std::shared_ptr<SurfaceOptions> surface;
 };
 
-nlohmann::ordered_json resampled(const Options& options, const BatchJob& job, Console& console) {
+nlohmann::ordered_json resampled(const ResampleArguments& options, const BatchJob& job, Console& console) {
     requireOutputs({{"-o", job.out}});
     requireModelName(job.out);
     session::Document document;
@@ -53,7 +53,7 @@ nlohmann::ordered_json resampled(const Options& options, const BatchJob& job, Co
     return {{"before", before}, {"surfels", tree.size()}, {"spacing", spacing}};
 }
 
-void run(const Options& options, OptionSet set, Console& console) {
+void runResample(const ResampleArguments& options, OptionSet set, Console& console) {
     if ((options.spacing > 0) + (options.tolerance > 0) + (options.count > 0) != 1)
         throw UsageError("give one of --spacing, --count and --adaptive");
     if (options.batch.wanted() && options.out.empty())
@@ -66,7 +66,7 @@ void run(const Options& options, OptionSet set, Console& console) {
 } // namespace
 
 Action addResample(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ResampleArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     command.add("-o,--output", options->out, "model to write; .ply keeps everything").typeName("OUT");
     Option spacing =
@@ -90,7 +90,7 @@ Action addResample(OptionSet command) {
                     "before: details of a few spacings then wear off");
     addBatchOptions(command, options->batch);
     options->surface = addSurfaceOptions(command, false);
-    return [options, command](Console& console) { run(*options, command, console); };
+    return [options, command](Console& console) { runResample(*options, command, console); };
 }
 
 } // namespace app

@@ -26,7 +26,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-struct Options {
+struct RunArguments {
     std::string session, model, out, image, timings, journal;
     GivenParameters faces;
     bool anyway = false;
@@ -105,7 +105,7 @@ std::string doneText(int commands, int strokes, std::size_t before, std::size_t 
 }
 
 /// The journal is a file of its own, and so is each output.
-void checkNames(const Options& options) {
+void checkNames(const RunArguments& options) {
     const std::pair<const std::string&, const char*> others[] = {{options.session, "the session itself"},
                                                                  {options.out, "the model to be written (-o)"},
                                                                  {options.image, "the picture (--render)"},
@@ -118,7 +118,7 @@ void checkNames(const Options& options) {
         requireSceneName(options.out);
 }
 
-void run(const Options& options, Console& console) {
+void runSession(const RunArguments& options, Console& console) {
     checkNames(options);
     session::Document document;
     const base::Progress progress = console.progress();
@@ -153,7 +153,7 @@ void run(const Options& options, Console& console) {
 } // namespace
 
 Action addRun(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RunArguments>();
     command.add("SESSION", options->session, "session file with one JSON command per line, such as {\"op\":\"undo\"}")
         .typeName("SESSION.jsonl")
         .required();
@@ -174,7 +174,7 @@ Action addRun(OptionSet command) {
                     "another model than they were drawn on");
     addFaceOptions(command, options->faces, model);
     command.addFooter([] { return "\n\n" + commandHelp(); });
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runSession(*options, console); };
 }
 
 } // namespace app

@@ -31,7 +31,7 @@ void tell(const std::vector<SeamLine>& lines) {
         std::cout << "all: length " << length << '\n';
 }
 
-void run(const PolylineOptions& options, Console& console) {
+void runSeams(const PolylineOptions& options, Console& console) {
     session::Document document;
     const base::Progress progress = console.progress();
     openForPolylines(options, document, progress, console, "a curve has no seams");
@@ -60,7 +60,7 @@ Action addSeams(OptionSet command) {
     addPolylineOptions(command, *options, "seam",
                        "seam,closed,x,y,z,nx,ny,nz,turn,a,b (seams counted from 0, longest first; unit normal midway "
                        "between both sides; how far these turn, in degrees, below 0 in grooves; the cells that meet)");
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runSeams(*options, console); };
 }
 
 } // namespace app

@@ -20,7 +20,7 @@ using surface::SectionCurve, surface::SectionPoint;
 
 namespace {
 
-struct Options : PolylineOptions {
+struct SectionArguments : PolylineOptions {
     std::string plane;
     double every = 0; ///< 0: one plane
 };
@@ -65,15 +65,15 @@ void tellLevels(const std::vector<Level>& levels) {
 }
 
 /// The one that was told, or without it the ground.
-base::Plane firstPlane(const Options& options, const session::Document& document, const base::Vec3d& origin) {
+base::Plane firstPlane(const SectionArguments& options, const session::Document& document, const base::Vec3d& origin) {
     if (!options.plane.empty())
         return planeOf(options.plane, origin);
     return base::Plane{base::upRow(document.up()).up, 0}.relativeTo(origin);
 }
 
 /// Heights that the model may reach, from below.
-std::vector<double> heightsOf(const Options& options, const session::Document& document, const base::Plane& first,
-                              double offset) {
+std::vector<double> heightsOf(const SectionArguments& options, const session::Document& document,
+                              const base::Plane& first, double offset) {
     constexpr double most = 1e5;
     const base::Box3f box = document.surface().tree().bounds();
     const base::Vec3d middle = base::cast<double>(box.centre()), half = base::cast<double>(box.hi) - middle;
@@ -90,8 +90,8 @@ std::vector<double> heightsOf(const Options& options, const session::Document& d
     return out;
 }
 
-std::vector<Level> levelsOf(const Options& options, const session::Document& document, const base::Vec3d& origin,
-                            const base::Progress& progress) {
+std::vector<Level> levelsOf(const SectionArguments& options, const session::Document& document,
+                            const base::Vec3d& origin, const base::Progress& progress) {
     const base::Plane first = firstPlane(options, document, origin);
     const double offset = first.relativeTo(-origin).offset; // in the file's coordinates
     std::vector<double> heights{offset};
@@ -115,7 +115,7 @@ std::vector<Level> levelsOf(const Options& options, const session::Document& doc
     return out;
 }
 
-void write(const Options& options, const session::Document& document, const std::vector<Level>& levels,
+void write(const SectionArguments& options, const session::Document& document, const std::vector<Level>& levels,
            const base::Vec3d& origin) {
     std::vector<SectionCurve> all;
     std::vector<double> heights;
@@ -134,7 +134,7 @@ void write(const Options& options, const session::Document& document, const std:
                    });
 }
 
-void run(const Options& options, Console& console) {
+void runSection(const SectionArguments& options, Console& console) {
     if (options.plane.empty() && !(options.every > 0))
         throw UsageError("give --plane, --every or both");
     session::Document document;
@@ -153,7 +153,7 @@ void run(const Options& options, Console& console) {
 } // namespace
 
 Action addSection(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SectionArguments>();
     command.add("MODEL", options->model, modelHelp).required();
     command.add("--plane", options->plane, "the points where nx*x + ny*y + nz*z = d, in model units")
         .typeName("nx,ny,nz,d")
@@ -171,7 +171,7 @@ Action addSection(OptionSet command) {
         "curve,closed,x,y,z,nx,ny,nz (curves counted from 0, longest first; unit normal of the surface; "
         "counter-clockwise around the inside, seen from the side that the plane's normal points to; with --every "
         "then height, along the unit normal)");
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runSection(*options, console); };
 }
 
 } // namespace app

@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-struct Options : ModelCommand {
+struct SolidArguments : ModelCommand {
     std::string other, report;
 };
 
@@ -27,7 +27,7 @@ nlohmann::ordered_json reportOf(const session::Context& context, const base::Pro
             {"open", !extent.closed}};
 }
 
-void run(const Options& options, Console& console) {
+void runSolid(const SolidArguments& options, Console& console) {
     requireOutputs({{"-o", options.out}, {"--report", options.report}});
     if (has(options.wish, "fillet") && has(options.wish, "chamfer"))
         throw UsageError("--fillet and --chamfer exclude each other");
@@ -49,7 +49,7 @@ bool isOwn(std::string_view id) {
 } // namespace
 
 Action addSolid(OptionSet command) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SolidArguments>();
     addModelAndOutput(command, *options, "A");
     command.add("B", options->other, std::string("the other one: ") + modelHelp).required();
     for (const session::CommandParameter& p : session::command("solid").parameters) {
@@ -66,7 +66,7 @@ Action addSolid(OptionSet command) {
              "model units, seams (pieces of curves between corners), corners, open (true or false)")
         .typeName("OUT.json");
     options->surface = addSurfaceOptions(command, false);
-    return [options](Console& console) { run(*options, console); };
+    return [options](Console& console) { runSolid(*options, console); };
 }
 
 } // namespace app
