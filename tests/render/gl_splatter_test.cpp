@@ -92,6 +92,8 @@ void GlSplatterTest::samePictureAsTheCpu() {
         for (std::size_t i = 0; i < a.depth.size(); ++i)
             deep += std::isfinite(a.depth[i]) && std::abs(a.depth[i] - b.depth[i]) > 1e-3f * a.depth[i] ? 1 : 0;
         QVERIFY2(deep <= 40, qPrintable(QString::number(deep)));
+        if (distance < 1)
+            break; // all around is near: each picture takes as long as those of the other rows together
     }
 }
 
