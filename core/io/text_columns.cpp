@@ -36,20 +36,41 @@ std::vector<ColumnFacts> columnFacts(const double* values, std::size_t n, std::s
     return out;
 }
 
+surfel::ScalarType typeOf(const ColumnFacts& facts) {
+    using surfel::ScalarType;
+    const double reach = std::max(-facts.least, facts.most);
+    if (!facts.integers)
+        return reach > 1e5 ? ScalarType::Float64 : ScalarType::Float32;
+    if (reach <= 2147483647.0)
+        return ScalarType::Int32;
+    return facts.least >= 0 && facts.most <= 4294967295.0 ? ScalarType::UInt32 : ScalarType::Float64;
+}
+
+int mostLikeColours(std::span<const ColumnFacts> facts) {
+    double most = 0;
+    for (const ColumnFacts& each : facts) {
+        if (!each.isByte())
+            return 0;
+        most = std::max(most, each.most);
+    }
+    return most > 1 ? static_cast<int>(most) : 0;
+}
+
 namespace {
 
 /// Names columns from the left.
 class Guess {
   public:
-    Guess(const double* values, std::size_t n, std::span<const ColumnFacts> facts)
-        : m_values(values), m_rows(n), m_facts(facts), m_names(facts.size()) {}
+    /// From column `first` on.
+    Guess(const double* values, std::size_t n, std::span<const ColumnFacts> facts, std::size_t first)
+        : m_values(values), m_rows(n), m_facts(facts), m_first(first), m_names(facts.size()) {}
 
     std::vector<std::string> names() {
-        name(0, {"x", "y", "z"});
-        const std::size_t columns = m_facts.size();
-        if (columns == 7 && areColours(4) && !areNormals(3))
-            nameColours(4);
-        for (std::size_t c = 3; c < columns; ++c) {
+        name(m_first, {"x", "y", "z"});
+        const std::size_t end = m_facts.size();
+        if (columns() == 7 && areColours(m_first + 4) && !areNormals(m_first + 3))
+            nameColours(m_first + 4);
+        for (std::size_t c = m_first + 3; c < end; ++c) {
             if (!m_names[c].empty())
                 continue;
             if (!m_hasNormals && isFree(c) && areNormals(c))
@@ -63,6 +84,7 @@ class Guess {
     }
 
   private:
+    std::size_t columns() const { return m_facts.size() - m_first; }
     bool isFree(std::size_t c) const {
         return c + 3 <= m_names.size() && m_names[c + 1].empty() && m_names[c + 2].empty();
     }
@@ -72,7 +94,7 @@ class Guess {
     }
     void nameColours(std::size_t c) { m_hasColours = name(c, {"red", "green", "blue"}); }
     void nameSingle(std::size_t c) {
-        const bool single = m_names.size() == 4 || m_names.size() == 7;
+        const bool single = columns() == 4 || columns() == 7;
         m_names[c] = single ? "intensity" : "column_" + std::to_string(c + 1);
     }
     bool areColours(std::size_t c) const {
@@ -97,6 +119,7 @@ class Guess {
     const double* m_values;
     std::size_t m_rows;
     std::span<const ColumnFacts> m_facts;
+    std::size_t m_first;
     std::vector<std::string> m_names;
     bool m_hasNormals = false, m_hasColours = false;
 };
@@ -104,7 +127,35 @@ class Guess {
 } // namespace
 
 std::vector<std::string> guessNames(const double* values, std::size_t n, std::span<const ColumnFacts> facts) {
-    return Guess(values, n, facts).names();
+    const std::size_t first = firstCounts(values, n, facts) ? 1 : 0;
+    std::vector<std::string> out = Guess(values, n, facts, first).names();
+    if (first > 0)
+        out[0] = "number";
+    return out;
+}
+
+bool firstCounts(const double* values, std::size_t n, std::span<const ColumnFacts> facts) {
+    constexpr std::size_t least = 4, many = 16;
+    if (facts.size() < 4 || n < least || !facts[0].integers)
+        return false;
+    // Numbers of most files fall within their first rows, and no others are looked at.
+    const std::size_t chunks = base::chunkCount(n - 1, grain);
+    std::vector<unsigned char> rises(chunks, 1), counts(chunks, 1);
+    const auto look = [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+        for (std::size_t i = begin; i < end && rises[chunk]; ++i) {
+            const double step = values[(i + 1) * facts.size()] - values[i * facts.size()];
+            rises[chunk] = step > 0 ? 1 : 0; // and not, where one is nan
+            counts[chunk] &= step == 1 ? 1 : 0;
+        }
+    };
+    look(0, std::min(n - 1, many), 0);
+    if (!rises[0])
+        return false;
+    base::parallelChunks(n - 1, grain, look);
+    const auto all = [](const std::vector<unsigned char>& each) {
+        return std::find(each.begin(), each.end(), 0) == each.end();
+    };
+    return all(rises) && (n >= many || all(counts));
 }
 
 /// "X [m]" and "x(m)" are "x".

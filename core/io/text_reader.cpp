@@ -7,7 +7,9 @@
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
 #include "core/io/text_columns.h"
+#include "core/io/text_heads.h"
 #include "core/io/text_rows.h"
+#include "core/io/text_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,20 +18,8 @@ namespace io {
 
 namespace {
 
-/// Names in a line. Between commas or semicolons a name may hold blanks ("GPS Time"); quotes are taken off.
-std::vector<std::string> namesIn(std::string_view line, const std::vector<std::string_view>& fields) {
-    if (line.find_first_of(",;") == std::string_view::npos)
-        return {fields.begin(), fields.end()};
-    std::vector<std::string> names;
-    for (std::size_t at = 0; at < line.size();) {
-        const std::size_t end = std::min(line.find_first_of(",;", at), line.size());
-        std::string_view name = line.substr(at, end - at);
-        const std::size_t first = name.find_first_not_of(" \t\r\""), last = name.find_last_not_of(" \t\r\"");
-        names.emplace_back(first == std::string_view::npos ? "" : name.substr(first, last - first + 1));
-        at = end + 1;
-    }
-    return names;
-}
+constexpr const char* needsThree =
+    "choose a file of three coordinates; which columns they are can be told by --columns or File > Open With";
 
 class TextReader {
   public:
@@ -39,8 +29,8 @@ class TextReader {
 
   private:
     std::size_t refuseOthers() const;
+    void refusePlane(const TextRows& rows, const std::vector<std::string_view>& names) const;
     void readHead(const TextRows& rows);
-    void readCommentNames(std::size_t begin);
     bool hasDecimalCommas(const TextRows& rows);
     void takeGivenNames(const TextRows& rows);
     void chooseColumns(const TextRows& rows);
@@ -49,7 +39,10 @@ class TextReader {
     void tellWrongCounts(std::size_t begin);
     void joinNormalsBelow();
     void nameColumns();
-    void nameCoordinates();
+    void nameCoordinates(bool counted);
+    void tellCount();
+    void judgeNormals(const std::vector<ColumnFacts>& facts);
+    void takeUnit();
     std::vector<std::string> takenColumns() const;
     void typeColumns(const std::vector<ColumnFacts>& facts);
     double* values() { return reinterpret_cast<double*>(m_table.owned.get()); }
@@ -61,10 +54,13 @@ class TextReader {
     bool m_sure = true;
     RecordTable m_table;
     std::vector<std::string> m_names;       ///< of all columns; empty where the file has none
+    std::vector<std::string> m_heads;       ///< the same, whatever a person says
+    std::vector<std::string> m_units;       ///< in a line below them; empty where there is none
     std::vector<int> m_targets;             ///< per column, its place in the table or -1
     std::vector<std::string> m_tableNames;  ///< of the columns in the table; empty where the file has none
     std::optional<std::uint64_t> m_claimed; ///< the count line
     std::size_t m_firstRow = 0;
+    bool m_ragged = false; ///< rows differ in length, and a person has named columns
 };
 
 /// Returns where the text begins, behind a byte order mark.
@@ -77,30 +73,19 @@ std::size_t TextReader::refuseOthers() const {
     return start.starts_with("\xef\xbb\xbf") ? 3 : 0;
 }
 
-/// A comment that names as many columns as the rows have, x, y and z among them: "//X Y Z R G B".
-void TextReader::readCommentNames(std::size_t begin) {
-    std::string_view line = m_file.bytes().substr(begin, 4096);
-    line = line.substr(0, line.find_first_of("\r\n"));
-    const std::size_t marks = line.find_first_not_of("#/% \t");
-    if (marks == 0 || marks == std::string_view::npos)
-        return;
-    std::vector<std::string> names;
-    for (std::string_view rest = line.substr(marks); !rest.empty();) {
-        const std::size_t end = std::min(rest.find_first_of(" ,;\t"), rest.size());
-        if (end > 0)
-            names.push_back(lowerCase(rest.substr(0, end)));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    for (const char* wanted : {"x", "y", "z"})
-        if (std::find(names.begin(), names.end(), wanted) == names.end())
-            return;
-    m_names = std::move(names);
-}
-
 /// Below names a row may begin with a word ("id" of a point): three others are numbers.
 bool isPoint(const std::vector<std::string_view>& fields, bool named) {
     const auto numbers = std::count_if(fields.begin(), fields.end(), [](std::string_view f) { return numberOf(f); });
     return numbers > 0 && (numberOf(fields[0]) || (named && numbers >= 3));
+}
+
+/// Rows of two numbers below a line of names.
+void TextReader::refusePlane(const TextRows& rows, const std::vector<std::string_view>& names) const {
+    if (names.size() != 2 || m_firstRow + 1 >= rows.count())
+        return;
+    const auto below = rows.fields(rows.row(m_firstRow + 1));
+    if (below.size() == 2 && numberOf(below[0]) && numberOf(below[1]))
+        m_file.failAt(rows.offset(m_firstRow + 1), "holds 2 columns where x, y and z are needed", needsThree);
 }
 
 /// Names and count before the first row of numbers.
@@ -113,6 +98,11 @@ void TextReader::readHead(const TextRows& rows) {
         }
         if (isPoint(fields, !m_names.empty()))
             return;
+        if (!m_names.empty() && areUnits(fields)) {
+            m_units.assign(fields.begin(), fields.end());
+            continue;
+        }
+        refusePlane(rows, fields);
         if (m_firstRow > 1 || fields.size() < 3)
             m_file.failAt(rows.offset(m_firstRow), inQuotes(fields.empty() ? "" : fields[0]) + " is not a number",
                           "choose a text file with rows of coordinates");
@@ -151,7 +141,7 @@ void TextReader::takeGivenNames(const TextRows& rows) {
     if (m_how.columns.empty())
         return;
     const std::size_t given = m_how.columns.size(), there = rows.fields(rows.row(m_firstRow)).size();
-    if (given != there && given != m_names.size())
+    if (given != there && given != m_names.size() && !m_ragged)
         m_file.failAt(rows.offset(m_firstRow),
                       "holds " + std::to_string(there) + " columns, and " + std::to_string(given) + " are named",
                       "name each of them, with - for those to be left out");
@@ -161,14 +151,17 @@ void TextReader::takeGivenNames(const TextRows& rows) {
 /// Columns that hold words in the first row ("status" of our own query tables) are passed over, and those that are
 /// named "-".
 void TextReader::chooseColumns(const TextRows& rows) {
-    const auto fields = rows.fields(rows.row(m_firstRow));
+    auto fields = rows.fields(rows.row(m_firstRow));
+    if (m_ragged && fields.size() > m_names.size())
+        fields.resize(m_names.size());
     if (m_names.size() < fields.size())
         m_names.clear();
     const std::size_t columns = std::max(fields.size(), m_names.size());
     if (columns < 3)
         m_file.failAt(rows.offset(m_firstRow),
-                      "holds " + std::to_string(columns) + " columns where x, y and z are needed",
-                      "choose a text file with rows of coordinates");
+                      "holds " + std::to_string(columns) + (columns == 1 ? " column" : " columns") +
+                          " where x, y and z are needed",
+                      needsThree);
     if (columns > 1000)
         m_file.failAt(rows.offset(m_firstRow), "holds more than 1000 columns", "remove those that are not needed");
     int next = 0;
@@ -195,7 +188,11 @@ void TextReader::parse(const TextRows& rows) {
         std::count_if(m_targets.begin(), m_targets.end(), [](int target) { return target >= 0; }));
     rows.checkRoom(n, m_targets.size());
     double* const out = m_table.allocateDoubles(n, columns);
-    rows.parse(m_firstRow, n, m_targets, columns, out, {m_progress, 0.2, 0.7});
+    const std::size_t others = rows.parse(m_firstRow, n, m_targets, columns, out, {m_progress, 0.2, 0.7});
+    if (others > 0)
+        m_model.messages.push_back(std::to_string(others) + (others == 1 ? " row does" : " rows do") +
+                                   " not have the " + std::to_string(m_targets.size()) +
+                                   " columns that were named; what is missing was left empty, what is more left out.");
 }
 
 void TextReader::checkClaim(const TextRows& rows) {
@@ -244,17 +241,6 @@ void TextReader::joinNormalsBelow() {
     m_tableNames = {"x", "y", "z", "nx", "ny", "nz"};
 }
 
-/// Whole numbers are int or uint; reals are float; both are double where that would lose units or fractions (large
-/// counters, GPS times).
-ScalarType typeOf(const ColumnFacts& facts) {
-    const double reach = std::max(-facts.least, facts.most);
-    if (!facts.integers)
-        return reach > 1e5 ? ScalarType::Float64 : ScalarType::Float32;
-    if (reach <= 2147483647.0)
-        return ScalarType::Int32;
-    return facts.least >= 0 && facts.most <= 4294967295.0 ? ScalarType::UInt32 : ScalarType::Float64;
-}
-
 void TextReader::typeColumns(const std::vector<ColumnFacts>& facts) {
     for (std::size_t c = 0; c < facts.size(); ++c) {
         ScalarType type = typeOf(facts[c]);
@@ -268,14 +254,54 @@ void TextReader::typeColumns(const std::vector<ColumnFacts>& facts) {
 void TextReader::nameColumns() {
     const std::size_t columns = m_table.stride / sizeof(double);
     auto facts = columnFacts(values(), m_table.count, columns);
-    if (m_tableNames.empty())
+    const bool guessed = m_tableNames.empty();
+    if (guessed)
         m_tableNames = guessNames(values(), m_table.count, facts);
+    if (guessed && m_tableNames[0] == "number")
+        tellCount();
     typeColumns(facts);
-    nameCoordinates();
+    judgeNormals(facts);
+    nameCoordinates(!guessed && firstCounts(values(), m_table.count, facts));
+}
+
+void TextReader::tellCount() {
+    m_model.messages.push_back("The first column counts the points and was taken for their number, not for x. If it is "
+                               "x, say so by --columns, or File > Open With.");
+}
+
+/// Colours under the names of normals.
+void TextReader::judgeNormals(const std::vector<ColumnFacts>& facts) {
+    const RecordRoles roles = rolesOf(m_table.fields, false);
+    if (!roles.hasNormals())
+        return;
+    std::vector<ColumnFacts> normals;
+    for (const int each : roles.normal)
+        normals.push_back(facts[static_cast<std::size_t>(each)]);
+    const int most = mostLikeColours(normals);
+    if (most == 0)
+        return;
+    if (!m_how.columns.empty())
+        m_file.fail("nx, ny and nz hold whole numbers from 0 to " + std::to_string(most) +
+                        ", as colours do, not directions",
+                    "call them red,green,blue, or - to leave them out");
+    m_model.messages.push_back("The normals are whole numbers from 0 to " + std::to_string(most) +
+                               ", as colours are. If they are colours, say so by --columns, or File > Open With.");
+}
+
+/// Of x, y and z, where the head tells it: a comment, as files of other formats bring it.
+void TextReader::takeUnit() {
+    const auto places = coordinatesAmong(m_names);
+    if (!places)
+        return;
+    const std::optional<std::string> unit = unitOfAxes(*places, m_heads, m_units);
+    if (!unit)
+        m_model.messages.emplace_back("x, y and z are not in one unit; their numbers were taken as they are.");
+    else if (!unit->empty())
+        m_model.comments.push_back("unit " + *unit);
 }
 
 /// Where none are called x, y and z: other names for them, else the first ones.
-void TextReader::nameCoordinates() {
+void TextReader::nameCoordinates(bool counted) {
     const RecordRoles roles = rolesOf(m_table.fields, false);
     if (std::find(roles.position.begin(), roles.position.end(), RecordRoles::none) == roles.position.end())
         return;
@@ -283,7 +309,8 @@ void TextReader::nameCoordinates() {
         m_file.fail("x, y and z must be columns of numbers", "name others");
     const auto known = coordinatesAmong(m_tableNames);
     m_sure = known.has_value();
-    const std::array<std::size_t, 3> taken = known.value_or(std::array<std::size_t, 3>{0, 1, 2});
+    const std::size_t first = counted ? 1 : 0;
+    const std::array<std::size_t, 3> taken = known.value_or(std::array{first, first + 1, first + 2});
     std::vector<std::string> named;
     for (std::size_t k = 0; k < 3; ++k) {
         named.push_back(inQuotes(m_tableNames[taken[k]]));
@@ -293,8 +320,9 @@ void TextReader::nameCoordinates() {
     if (known && third.find('z') == std::string::npos && !third.starts_with("points:")) // a height
         m_model.up = base::UpAxis::Z;
     m_model.messages.push_back(known ? base::listed(named) + " were taken for x, y and z."
-                                     : "The column names do not tell which are x, y and z; the first three were "
-                                       "taken. Others can be named: --columns, or File > Open With.");
+                                     : "The column names do not tell which are x, y and z; the first three" +
+                                           std::string(counted ? " behind the points' numbers" : "") +
+                                           " were taken. Others can be named: --columns, or File > Open With.");
 }
 
 std::vector<std::string> TextReader::takenColumns() const {
@@ -315,7 +343,7 @@ TextRead TextReader::read() {
     RowRules rules{.separators = true, .comments = true};
     std::optional<TextRows> rows;
     rows.emplace(m_file, begin, rules, ProgressSpan{m_progress, 0, 0.1});
-    readCommentNames(begin);
+    m_names = commentNames(m_file.bytes().substr(begin, 4096));
     readHead(*rows);
     rules.decimalComma = hasDecimalCommas(*rows);
     rules.skipSingles = m_claimed.has_value(); // further counts may stand before further scans
@@ -327,6 +355,10 @@ TextRead TextReader::read() {
         if (m_firstRow >= rows->count()) // nothing but counts
             m_file.fail("holds no points, only lines of one number", "choose a text file with rows of coordinates");
     }
+    m_heads = m_names;
+    m_ragged = rules.ragged = !m_how.columns.empty() && rows->isRagged(m_firstRow, m_how.columns.size());
+    if (m_ragged)
+        rows.emplace(m_file, begin, rules, ProgressSpan{m_progress, 0.1, 0.2});
     takeGivenNames(*rows);
     chooseColumns(*rows);
     parse(*rows);
@@ -334,6 +366,7 @@ TextRead TextReader::read() {
     if (m_claimed && *m_claimed != m_table.count && !m_how.head)
         tellWrongCounts(begin);
     nameColumns();
+    takeUnit();
     makePoints(m_model, m_file, m_table, rolesOf(m_table.fields, false), {}, {m_progress, 0.7, 1});
     TextRead out{std::move(m_model), takenColumns(), m_sure, {}};
     if (m_how.head)

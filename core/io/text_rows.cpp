@@ -3,8 +3,10 @@
 #include "core/io/number_text.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <numeric>
+#include <optional>
 
 namespace io {
 
@@ -107,6 +109,20 @@ std::vector<std::string_view> TextRows::fields(std::string_view row) const {
     return out;
 }
 
+bool TextRows::isRagged(std::size_t k, std::size_t wanted) const {
+    int left = 10000;
+    std::optional<std::size_t> first;
+    bool fits = false, differ = false;
+    forRows(k, [&](std::string_view line) {
+        const std::size_t here = fields(line).size();
+        fits = fits || here == wanted;
+        differ = differ || here != first.value_or(here);
+        first = first.value_or(here);
+        return !(fits && differ) && --left > 0;
+    });
+    return fits && differ;
+}
+
 /// A number that has a comma for its point.
 static const char* parseCommaNumber(const char* begin, const char* end, double& out) {
     const char* const last = std::find_if(begin, end, [](char c) { return isBlank(c) || c == ';'; });
@@ -146,8 +162,12 @@ TextRows::Fault TextRows::parseRow(std::string_view line, std::span<const int> t
     bool separated = false;
     for (found = 0; found < targets.size(); ++found) {
         const int target = targets[found];
-        if (cursor.atEnd() && !separated)
+        if (cursor.atEnd() && !separated) {
+            for (std::size_t c = found; m_rules.ragged && c < targets.size(); ++c)
+                if (targets[c] >= 0)
+                    out[targets[c]] = std::numeric_limits<double>::quiet_NaN();
             return Fault::TooFew;
+        }
         if (cursor.atSeparator() || cursor.atEnd()) {
             if (target >= 0)
                 out[target] = std::numeric_limits<double>::quiet_NaN();
@@ -184,18 +204,21 @@ void TextRows::fail(std::size_t offset, std::span<const int> targets) const {
                           fault == Fault::TooFew
                               ? "holds " + std::to_string(found) + " values where " + expected + " are expected"
                               : "holds more than the " + expected + " values that are expected",
-                          "correct the line or remove it");
+                          m_rules.separators ? "correct the line, or name the columns that are needed: --columns"
+                                             : "correct the line or remove it");
 }
 
 void TextRows::checkRoom(std::size_t rows, std::size_t columns) const {
+    columns = m_rules.ragged ? std::min<std::size_t>(columns, 1) : columns;
     if (columns == 0 || rows <= (m_lines.text().size() - m_lines.begin() + 1) / columns)
         return;
     m_lines.file().fail("holds lines with fewer than the " + std::to_string(columns) + " values that are expected",
                         "the file is damaged or was cut off; fetch it again");
 }
 
-void TextRows::parse(std::size_t first, std::size_t n, std::span<const int> targets, std::size_t width, double* out,
-                     const ProgressSpan& progress) const {
+std::size_t TextRows::parse(std::size_t first, std::size_t n, std::span<const int> targets, std::size_t width,
+                            double* out, const ProgressSpan& progress) const {
+    std::atomic<std::size_t> others = 0;
     const std::size_t fault = m_lines.run(progress, [&](std::size_t chunk) {
         const std::size_t end = std::min(m_firstRow[chunk + 1], first + n);
         std::size_t row = m_firstRow[chunk], found = 0, bad = TextLines::none;
@@ -204,14 +227,20 @@ void TextRows::parse(std::size_t first, std::size_t n, std::span<const int> targ
         m_lines.forLines(chunk, [&](std::size_t at, std::string_view line) {
             if (!isRow(line))
                 return true;
-            if (row >= first && parseRow(line, targets, out + (row - first) * width, found) != Fault::None)
-                bad = at;
+            if (row >= first) {
+                const Fault wrong = parseRow(line, targets, out + (row - first) * width, found);
+                if (m_rules.ragged && (wrong == Fault::TooFew || wrong == Fault::TooMany))
+                    ++others;
+                else if (wrong != Fault::None)
+                    bad = at;
+            }
             return bad == TextLines::none && ++row < end;
         });
         return bad;
     });
     if (fault != TextLines::none)
         fail(fault, targets);
+    return others;
 }
 
 } // namespace io

@@ -14,7 +14,8 @@ struct RowRules {
     bool separators = false;   ///< ',' and ';' part fields too, and a field between two of them may be empty: nan
     bool comments = false;     ///< '#', '%' and '//' begin a comment that runs to the end of the line
     bool decimalComma = false; ///< ',' stands for the point in numbers and parts no fields
-    bool skipSingles = false;  ///< lines of one field are not rows (counts before each scan of a PTS file)
+    bool ragged = false; ///< rows may be shorter or longer: what they lack is nan, what they have beyond is passed over
+    bool skipSingles = false; ///< lines of one field are not rows (counts before each scan of a PTS file)
 };
 
 class TextRows {
@@ -31,6 +32,9 @@ class TextRows {
     template <class Body>
     void forRows(std::size_t k, const Body& body) const;
 
+    /// Whether rows from the k-th on differ in how many fields they have, and some (of 10,000) have `wanted`.
+    bool isRagged(std::size_t k, std::size_t wanted) const;
+
     /// Whether a field is a number by these rules.
     bool isNumber(std::string_view field) const;
     /// Fields of a row, without comments; quotes around a field are taken off.
@@ -40,9 +44,10 @@ class TextRows {
     void checkRoom(std::size_t rows, std::size_t columns) const;
 
     /// Parses rows [first, first + n) of exactly `targets.size()` fields each. Field c of the r-th goes to
-    /// out[r * width + targets[c]], or is passed over where targets[c] < 0. REQUIRES: first + n <= count().
-    void parse(std::size_t first, std::size_t n, std::span<const int> targets, std::size_t width, double* out,
-               const ProgressSpan& progress) const;
+    /// out[r * width + targets[c]], or is passed over where targets[c] < 0. Returns how many rows had another number of
+    /// fields, where that is allowed. REQUIRES: first + n <= count().
+    std::size_t parse(std::size_t first, std::size_t n, std::span<const int> targets, std::size_t width, double* out,
+                      const ProgressSpan& progress) const;
 
   private:
     enum class Fault { None, TooFew, TooMany, NotANumber };

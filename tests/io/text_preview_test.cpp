@@ -16,6 +16,8 @@ class TextPreviewTest : public QObject {
     void namesOfSurveyorsAreUnderstood_data();
     void namesOfSurveyorsAreUnderstood();
     void columnsThatAreToldAreTakenInAnyOrder();
+    void rowsOfOtherLengthsOpenWhenColumnsAreNamed();
+    void coloursAreNoNormals();
     void whatDoesNotFitIsRefused();
     void namesAreCheckedBeforeTheFile();
     void previewsSayWhatOpeningTakes();
@@ -97,6 +99,41 @@ void TextPreviewTest::columnsThatAreToldAreTakenInAnyOrder() {
         const auto preview = io::previewText(path, told);
         QVERIFY2(preview && preview->columns == told && preview->rows.size() == 8, qPrintable(where));
     }
+}
+
+void TextPreviewTest::rowsOfOtherLengthsOpenWhenColumnsAreNamed() {
+    const test::Folder folder;
+    const std::string text = "1 2 3 7\n4 5 6\n7 8 9 10 11\n1 1\n";
+    const auto path = folder.write("a.xyz", text);
+    QVERIFY(test::contains(test::refusal(path), "line 2: holds 3 values where 4"));
+    const FileModel model = io::readColumns(path, {"x", "y", "z", "dose"}, {});
+    QCOMPARE(model.points.size(), std::size_t(3));
+    QCOMPARE(model.dropped, std::size_t(1)); // has no z
+    QCOMPARE(model.points.items[1].position, base::Vec3f({4, 5, 6}));
+    QCOMPARE(model.points.items[2].position, base::Vec3f({7, 8, 9}));
+    QVERIFY(test::anyContains(model.messages, "3 rows do not have the 4 columns"));
+    QCOMPARE(io::readColumns(path, {"x", "y", "z"}, {}).points.size(), std::size_t(3));
+    const auto shorter = folder.write("b.xyz", "1 2 3\n4 5 6 7 8\n"); // the first row is the short one
+    QCOMPARE(io::readColumns(shorter, {"x", "y", "z", "a", "b"}, {}).points.size(), std::size_t(2));
+    const auto even = folder.write("c.xyz", "1 2 3 4\n4 5 6 7\n");
+    QVERIFY_EXCEPTION_THROWN(io::readColumns(even, {"x", "y", "z"}, {}), base::Error);
+}
+
+void TextPreviewTest::coloursAreNoNormals() {
+    const test::Folder folder;
+    const auto path = folder.write("a.xyz", "1 2 3 255 0 10\n4 5 6 12 30 40\n");
+    const std::vector<std::string> wrong = {"x", "y", "z", "nx", "ny", "nz"};
+    try {
+        io::readColumns(path, wrong, {});
+        QFAIL("colours were taken for normals");
+    } catch (const base::Error& error) {
+        QVERIFY2(test::contains(error.what(), "from 0 to 255, as colours do"), error.what());
+    }
+    QVERIFY(io::readColumns(path, {"x", "y", "z", "red", "green", "blue"}, {}).points.layout->colours);
+    const auto whole = folder.write("b.xyz", "1 2 3 1 0 0\n4 5 6 0 0 1\n"); // axes are directions
+    QCOMPARE(io::readColumns(whole, wrong, {}).points.size(), std::size_t(2));
+    const auto named = folder.write("c.csv", "x,y,z,nx,ny,nz\n1,2,3,255,0,10\n4,5,6,12,30,40\n");
+    QVERIFY(test::anyContains(io::read(named).messages, "as colours are"));
 }
 
 void TextPreviewTest::whatDoesNotFitIsRefused() {

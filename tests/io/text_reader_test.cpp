@@ -246,6 +246,8 @@ void TextReaderTest::damagedFilesAreRefusedInOneSentence_data() {
     QTest::newRow("counts and names only") << QByteArray("0\nx y z\n1\n") << "only lines of one number";
     QTest::newRow("names only") << QByteArray("x y z\n") << "holds no points";
     QTest::newRow("two columns") << QByteArray("1 2\n3 4\n") << "x, y and z";
+    QTest::newRow("two columns with names")
+        << QByteArray("x y\n1 2\n3 4\n") << "line 2: holds 2 columns where x, y and z";
     QTest::newRow("prose") << QByteArray("It was a dark night.\nAnd stormy it was too.\nSo there.\n")
                            << "is not a number";
     QTest::newRow("binary") << QByteArray("1 2 3\n\0\1\2", 9) << "is binary";
