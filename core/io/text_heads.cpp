@@ -1,6 +1,7 @@
 #include "core/io/text_heads.h"
 
 #include "core/io/file_name.h"
+#include "core/io/number_text.h"
 
 #include <algorithm>
 
@@ -36,6 +37,11 @@ std::vector<std::string> commentNames(std::string_view text) {
         if (std::find(names.begin(), names.end(), wanted) == names.end())
             return {};
     return names;
+}
+
+bool isPoint(const std::vector<std::string_view>& fields, bool named) {
+    const auto numbers = std::count_if(fields.begin(), fields.end(), [](std::string_view f) { return numberOf(f); });
+    return numbers > 0 && (numberOf(fields[0]) || (named && numbers >= 3));
 }
 
 } // namespace io

@@ -30,6 +30,7 @@ class TextReader {
   private:
     std::size_t refuseOthers() const;
     void refusePlane(const TextRows& rows, const std::vector<std::string_view>& names) const;
+    bool isLabelled(const TextRows& rows, const std::vector<std::string_view>& fields) const;
     void readHead(const TextRows& rows);
     bool hasDecimalCommas(const TextRows& rows);
     void takeGivenNames(const TextRows& rows);
@@ -73,12 +74,6 @@ std::size_t TextReader::refuseOthers() const {
     return start.starts_with("\xef\xbb\xbf") ? 3 : 0;
 }
 
-/// Below names a row may begin with a word ("id" of a point): three others are numbers.
-bool isPoint(const std::vector<std::string_view>& fields, bool named) {
-    const auto numbers = std::count_if(fields.begin(), fields.end(), [](std::string_view f) { return numberOf(f); });
-    return numbers > 0 && (numberOf(fields[0]) || (named && numbers >= 3));
-}
-
 /// Rows of two numbers below a line of names.
 void TextReader::refusePlane(const TextRows& rows, const std::vector<std::string_view>& names) const {
     if (names.size() != 2 || m_firstRow + 1 >= rows.count())
@@ -86,6 +81,14 @@ void TextReader::refusePlane(const TextRows& rows, const std::vector<std::string
     const auto below = rows.fields(rows.row(m_firstRow + 1));
     if (below.size() == 2 && numberOf(below[0]) && numberOf(below[1]))
         m_file.failAt(rows.offset(m_firstRow + 1), "holds 2 columns where x, y and z are needed", needsThree);
+}
+
+/// Rows that begin with a word have no names above where the next one is like the first: "P1 1 2 3", "v 1 2 3".
+bool TextReader::isLabelled(const TextRows& rows, const std::vector<std::string_view>& fields) const {
+    if (m_firstRow + 1 >= rows.count())
+        return false;
+    const auto next = rows.fields(rows.row(m_firstRow + 1));
+    return next.size() == fields.size() && !numberOf(next[0]) && isPoint(next, true);
 }
 
 /// Names and count before the first row of numbers.
@@ -96,7 +99,7 @@ void TextReader::readHead(const TextRows& rows) {
             m_claimed = countOf(fields[0]);
             continue;
         }
-        if (isPoint(fields, !m_names.empty()))
+        if (isPoint(fields, !m_names.empty() || isLabelled(rows, fields)))
             return;
         if (!m_names.empty() && areUnits(fields)) {
             m_units.assign(fields.begin(), fields.end());
@@ -154,7 +157,8 @@ void TextReader::chooseColumns(const TextRows& rows) {
     auto fields = rows.fields(rows.row(m_firstRow));
     if (m_ragged && fields.size() > m_names.size())
         fields.resize(m_names.size());
-    if (m_names.size() < fields.size())
+    const bool title = m_how.columns.empty() && m_names.size() > fields.size() && !coordinatesAmong(m_names);
+    if (m_names.size() < fields.size() || title)
         m_names.clear();
     const std::size_t columns = std::max(fields.size(), m_names.size());
     if (columns < 3)

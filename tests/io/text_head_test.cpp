@@ -13,6 +13,8 @@ class TextHeadTest : public QObject {
   private Q_SLOTS:
     void numbersOfPointsAreNoCoordinates_data();
     void numbersOfPointsAreNoCoordinates();
+    void labelledRowsAreAllThere_data();
+    void labelledRowsAreAllThere();
     void unitsInTheHeadAreTold_data();
     void unitsInTheHeadAreTold();
 };
@@ -81,6 +83,23 @@ void TextHeadTest::numbersOfPointsAreNoCoordinates() {
     QVERIFY2((z >= 7) == counts, qPrintable(QString("z %1, seed %2").arg(double(z)).arg(test::seed())));
     QCOMPARE(test::anyContains(model.messages, "number"), counts);
     QCOMPARE(model.points.layout->colours, counts && rows.contains(" 20 255"));
+}
+
+void TextHeadTest::labelledRowsAreAllThere_data() {
+    QTest::addColumn<QString>("text");
+    QTest::newRow("labels") << "P1 1 2 3\nP2 4 5 6\nP3 7 8 9\n";
+    QTest::newRow("statements") << "v 1 2 3\nv 4 5 6\nv 7 8 9\n";
+    QTest::newRow("a date above") << "Scan 2024 11 28\n1 2 3\n4 5 6\n7 8 9\n";
+    QTest::newRow("a title above") << "Scan made in Berlin, second day\n1 2 3\n4 5 6\n7 8 9\n";
+    QTest::newRow("names above") << "id,x,y,z\nA,1,2,3\nB,4,5,6\nC,7,8,9\n";
+}
+
+void TextHeadTest::labelledRowsAreAllThere() {
+    QFETCH(QString, text);
+    const FileModel model = readText("a.txt", text.toStdString());
+    QCOMPARE(model.points.size(), std::size_t(3));
+    QCOMPARE(model.points.items[0].position, base::Vec3f({1, 2, 3}));
+    QCOMPARE(model.points.items[2].position, base::Vec3f({7, 8, 9}));
 }
 
 void TextHeadTest::unitsInTheHeadAreTold_data() {
