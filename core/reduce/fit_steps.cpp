@@ -42,7 +42,7 @@ FitPiece<unknowns> pieceOf(std::span<const base::Vec3f> positions, const Numbere
     out.begin = begin;
     out.ends.reserve(end - begin);
     for (std::size_t i = begin; i < end; ++i) {
-        tree.forSupporting(positions[i], [&](std::uint32_t k, float) { out.entries.push_back({k, {}}); });
+        tree.forSupporting(positions[i], [&](std::uint32_t k, float) { out.entries.push_back({{}, k}); });
         out.ends.push_back(static_cast<std::uint32_t>(out.entries.size()));
     }
     out.entries.shrink_to_fit();

@@ -1,6 +1,7 @@
 #include "core/reduce/normal_equations.h"
 
 #include "core/base/parallel.h"
+#include "core/reduce/row_products.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,8 @@ void FitPiece<unknowns>::setRow(std::size_t row, std::span<const std::array<floa
     const float scale = most > 0 ? fullPart / most : 0;
     for (std::size_t k = 0; k < d.size(); ++k)
         for (std::size_t u = 0; u < unknowns; ++u)
-            entries[firstOf(row) + k].part[u] = static_cast<std::int16_t>(std::lround(d[k][u] * scale));
+            entries[firstOf(row) + k].part[u] =
+                static_cast<std::int16_t>(d[k][u] * scale + std::copysign(0.5F, d[k][u]));
 }
 
 template <int unknowns>
@@ -88,6 +90,20 @@ NormalEquations<unknowns>::NormalEquations(const std::vector<FitPiece<unknowns>>
             m_parts[at[pieces[p].sites[k]]++] = {p, k};
 }
 
+template <int unknowns>
+template <class Of>
+typename NormalEquations<unknowns>::Vector NormalEquations<unknowns>::gathered(const Of& of) const {
+    Vector out = Vector::Zero(size());
+    base::parallelFor(m_first.size() - 1, 4096, [&](std::size_t site) {
+        for (std::uint32_t k = m_first[site]; k < m_first[site + 1]; ++k) {
+            const auto* part = of(m_parts[k].piece, m_parts[k].at);
+            for (std::size_t u = 0; u < unknowns; ++u)
+                out[static_cast<Eigen::Index>(site * unknowns + u)] += double(part[u]);
+        }
+    });
+    return out;
+}
+
 /// Sums of what the rows add to their sites: add(piece, sums of the piece's sites).
 template <int unknowns>
 template <class AddRow>
@@ -97,36 +113,26 @@ typename NormalEquations<unknowns>::Vector NormalEquations<unknowns>::summed(con
         sums[p].assign(m_pieces[p].sites.size() * unknowns, 0);
         add(m_pieces[p], sums[p]);
     });
-    Vector out = Vector::Zero(size());
-    base::parallelFor(m_first.size() - 1, 4096, [&](std::size_t site) {
-        for (std::uint32_t k = m_first[site]; k < m_first[site + 1]; ++k)
-            for (int u = 0; u < unknowns; ++u)
-                out[static_cast<Eigen::Index>(site) * unknowns + u] +=
-                    sums[m_parts[k].piece][m_parts[k].at * unknowns + static_cast<std::uint32_t>(u)];
-    });
-    return out;
+    return gathered([&](std::uint32_t p, std::uint32_t at) { return &sums[p][std::size_t(at) * unknowns]; });
 }
 
 template <int unknowns>
 typename NormalEquations<unknowns>::Vector NormalEquations<unknowns>::scaledProduct(const Vector& x) const {
     const Vector scaled = m_scale.cwiseProduct(x);
-    const Vector sums = summed([&](const FitPiece<unknowns>& piece, std::vector<double>& sum) {
-        std::vector<double> local(sum.size());
+    std::vector<std::vector<float>> sums(m_pieces.size());
+    base::parallelFor(m_pieces.size(), 1, [&](std::size_t p) {
+        const FitPiece<unknowns>& piece = m_pieces[p];
+        std::vector<float> local(piece.sites.size() * siteLanes);
         for (std::size_t k = 0; k < piece.sites.size(); ++k)
             for (std::size_t u = 0; u < unknowns; ++u)
-                local[k * unknowns + u] = scaled[static_cast<Eigen::Index>(piece.sites[k] * unknowns + u)];
-        piece.forRows([&](std::size_t row, std::span<const FitEntry<unknowns>> entries) {
-            double along = 0;
-            for (const FitEntry<unknowns>& e : entries)
-                for (std::size_t u = 0; u < unknowns; ++u)
-                    along += double(e.part[u]) * local[e.site * unknowns + u];
-            along *= double(piece.unit[row]) * double(piece.unit[row]);
-            for (const FitEntry<unknowns>& e : entries)
-                for (std::size_t u = 0; u < unknowns; ++u)
-                    sum[e.site * unknowns + u] += along * double(e.part[u]);
-        });
+                local[k * siteLanes + u] =
+                    static_cast<float>(scaled[static_cast<Eigen::Index>(std::size_t(piece.sites[k]) * unknowns + u)]);
+        sums[p].assign(local.size(), 0);
+        addRowProducts(piece, local, sums[p]);
     });
-    return m_scale.cwiseProduct(sums + m_ridge.cwiseProduct(scaled));
+    const Vector sum =
+        gathered([&](std::uint32_t p, std::uint32_t at) { return &sums[p][std::size_t(at) * siteLanes]; });
+    return m_scale.cwiseProduct(sum + m_ridge.cwiseProduct(scaled));
 }
 
 template <int unknowns>

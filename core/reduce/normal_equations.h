@@ -18,11 +18,12 @@ namespace reduce {
 /// its shape, where supports are ellipsoids.
 constexpr int unknownsOfBalls = 6, unknownsOfEllipsoids = 8, mostUnknowns = unknownsOfEllipsoids;
 
-/// Derivatives of a row by the unknowns of one site, in parts of the row's largest.
+/// Derivatives of a row by the unknowns of one site, in parts of the row's largest. Read eight at a time
+/// (row_products.h), so the parts come first.
 template <int unknowns>
 struct FitEntry {
-    std::uint32_t site; ///< in the piece's list
     std::array<std::int16_t, unknowns> part;
+    std::uint32_t site; ///< in the piece's list
 };
 constexpr float fullPart = 32767;
 
@@ -65,6 +66,9 @@ class NormalEquations {
     struct Part {
         std::uint32_t piece, at;
     };
+    /// Of each site what its pieces have: of(piece, site's number there) -> its numbers, one after the other.
+    template <class Of>
+    Vector gathered(const Of& of) const;
     template <class AddRow>
     Vector summed(const AddRow& add) const;
 

@@ -143,7 +143,7 @@ std::vector<FitPiece<unknowns>> randomPieces(base::Random& random, std::size_t s
                     a(at, static_cast<Eigen::Index>(piece.sites[s]) * unknowns + u) =
                         double(d[static_cast<std::size_t>(u)]);
                 }
-                piece.entries.push_back({s, {}});
+                piece.entries.push_back({{}, s});
                 row.push_back(d);
             }
             piece.unit.push_back(0);
