@@ -8,6 +8,7 @@
 #include "core/surfel/shape.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace reduce {
@@ -111,12 +112,24 @@ std::vector<double> smoothed(const std::vector<double>& log, const Places& place
     return out;
 }
 
+/// Once all samples have the same part of the squares.
+double foreseenFrom(const std::vector<double>& sums, const Places& places) {
+    double all = 0;
+    for (const double each : sums)
+        all += std::pow(each, power);
+    const double area = std::accumulate(places.area.begin(), places.area.end(), 0.0);
+    const auto count = static_cast<double>(sums.size());
+    return std::sqrt(count * std::pow(all / count, 1 / power) / area);
+}
+
 } // namespace
 
 std::vector<float> sharesByResult(const Places& places, const Sites& sites, std::vector<float> shares,
-                                  std::size_t count, bool oneSheet) {
+                                  std::size_t count, bool oneSheet, double* foreseen) {
     const NumberedTree tree(sites.position, sites.normal, {});
     std::vector<double> log = sumsOfSquares(places, sites, tree, oneSheet);
+    if (foreseen)
+        *foreseen = foreseenFrom(log, places);
     std::vector<double> sums = log;
     const double mean = std::accumulate(log.begin(), log.end(), 0.0) / static_cast<double>(log.size());
     const double typical = std::max({process::middleOf(sums), leastOfMean * mean, 1e-300});

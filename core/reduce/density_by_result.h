@@ -8,7 +8,8 @@ namespace reduce {
 
 /// The shares that made `sites`, more where their surface errs more than elsewhere; together `count` again; `oneSheet`
 /// as the reduced model will have it. In parallel; the same bits at any thread count. Throws base::Cancelled.
+/// `foreseen`, if given, gets the distance between the surfaces (rms) that they would leave: (3b).
 std::vector<float> sharesByResult(const Places& places, const Sites& sites, std::vector<float> shares,
-                                  std::size_t count, bool oneSheet);
+                                  std::size_t count, bool oneSheet, double* foreseen = nullptr);
 
 } // namespace reduce

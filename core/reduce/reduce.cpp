@@ -85,29 +85,41 @@ Ground groundOf(const surface::Surface& model, std::size_t stride, const base::P
     return out;
 }
 
+/// What a first placement and fit tell of a second one.
+struct Draft {
+    std::vector<float> shares;
+    std::vector<base::Vec3f> shape; ///< of the places
+    double foreseen = 0;            ///< distance between the surfaces, rms
+};
+
+Sites fitted(Ground& ground, std::span<const float> shares, std::size_t count, bool keepTree,
+             const base::Progress& progress) {
+    const Places& places = ground.dense.places;
+    Sites sites = place(ground.dense.surface, places, keepTree ? ground.tree : std::move(ground.tree), shares, count,
+                        process::part(progress, 0, 0.45));
+    cover(places, supportsOver, sites);
+    fit(places, sites, process::part(progress, 0.45, 1));
+    return sites;
+}
+
 /// Nothing where ellipsoids were only to be tried, and are not worth it.
-std::optional<Sites> sitesOf(Ground& ground, std::size_t count, Shapes shapes, bool keepTree,
-                             const base::Progress& progress) {
+std::optional<Draft> draftOf(Ground& ground, std::size_t count, Shapes shapes, const base::Progress& progress) {
     Places& places = ground.dense.places;
     progress.step(0, "Measuring errors");
-    std::vector<float> shares = sharesByError(places, ground.tree, count);
+    Draft out;
+    out.shares = sharesByError(places, ground.tree, count);
     places.shape.clear();
     if (shapes != Shapes::Spheres) {
-        const double left = shapeByError(places, ground.tree, shares, count);
+        const double left = shapeByError(places, ground.tree, out.shares, count);
         if (shapes == Shapes::Auto && left > worthTrying)
             return std::nullopt;
-        roundBesideRims(ground.rims, shares, places);
+        roundBesideRims(ground.rims, out.shares, places);
     }
-    const auto fitted = [&](NumberedTree tree, double from) {
-        Sites sites = place(ground.dense.surface, places, std::move(tree), shares, count,
-                            process::part(progress, from, from + 0.2));
-        cover(places, supportsOver, sites);
-        fit(places, sites, process::part(progress, from + 0.2, from + 0.45));
-        return sites;
-    };
-    const Sites first = fitted(ground.tree, 0.1);
-    shares = sharesByResult(places, first, std::move(shares), count, ground.dense.surface.definition().oneSheet);
-    return fitted(keepTree ? ground.tree : std::move(ground.tree), 0.55);
+    const Sites first = fitted(ground, out.shares, count, true, process::part(progress, 0.2, 1));
+    out.shares = sharesByResult(places, first, std::move(out.shares), count, ground.dense.surface.definition().oneSheet,
+                                &out.foreseen);
+    out.shape = std::move(places.shape);
+    return out;
 }
 
 /// Cells end at creases, too: their rims are fitted where all cells are together.
@@ -142,8 +154,37 @@ Reduced finished(const Ground& ground, Sites sites, const base::Progress& progre
     }
 }
 
+Reduced made(Ground& ground, Draft draft, std::size_t count, bool keepTree, const base::Progress& progress) {
+    ground.dense.places.shape = std::move(draft.shape);
+    Sites sites = fitted(ground, draft.shares, count, keepTree, process::part(progress, 0, 0.8));
+    return finished(ground, std::move(sites), process::part(progress, 0.8, 1));
+}
+
 bool better(const Report& ellipsoids, const Report& balls) {
     return ellipsoids.holes <= balls.holes && ellipsoids.surfaceRms < worth * balls.surfaceRms;
+}
+
+/// Balls or ellipsoids. The less promising ones are made only where they might win: nothing gets much nearer than its
+/// draft foresees.
+Reduced chosen(Ground& ground, std::size_t count, bool keepTree, const base::Progress& progress) {
+    std::optional<Draft> ellipsoids = draftOf(ground, count, Shapes::Auto, process::part(progress, 0, 0.25));
+    Draft balls = *draftOf(ground, count, Shapes::Spheres, process::part(progress, 0.25, 0.4));
+    const base::Progress once = process::part(progress, 0.4, 0.7), last = process::part(progress, 0.7, 1);
+    if (!ellipsoids)
+        return made(ground, std::move(balls), count, keepTree, last);
+    const double drawnAtBest = ellipsoids->foreseen, roundAtBest = balls.foreseen;
+    if (drawnAtBest < worth * roundAtBest) {
+        Reduced drawn = made(ground, std::move(*ellipsoids), count, true, once);
+        if (drawn.report.holes == 0 && drawn.report.surfaceRms < worth * roundAtBest)
+            return drawn;
+        Reduced round = made(ground, std::move(balls), count, keepTree, last);
+        return better(drawn.report, round.report) ? std::move(drawn) : std::move(round);
+    }
+    Reduced round = made(ground, std::move(balls), count, true, once);
+    if (drawnAtBest >= worth * round.report.surfaceRms)
+        return round;
+    Reduced drawn = made(ground, std::move(*ellipsoids), count, keepTree, last);
+    return better(drawn.report, round.report) ? std::move(drawn) : std::move(round);
 }
 
 } // namespace
@@ -165,19 +206,10 @@ Reduced reduced(Ground& ground, std::size_t count, Shapes shapes, bool keepTree,
         throw base::Error("only " + std::to_string(most) + " of the model's points lie on a surface, fewer than the " +
                               std::to_string(count) + " asked for",
                           "reduce", "choose a smaller count");
-    std::optional<Reduced> ellipsoids;
-    double done = 0;
-    if (shapes != Shapes::Spheres) {
-        done = shapes == Shapes::Auto ? 0.5 : 1;
-        const bool last = shapes == Shapes::Ellipsoids && !keepTree;
-        if (std::optional<Sites> sites = sitesOf(ground, count, shapes, !last, process::part(progress, 0, 0.8 * done)))
-            ellipsoids = finished(ground, std::move(*sites), process::part(progress, 0.8 * done, done));
-        if (shapes == Shapes::Ellipsoids)
-            return std::move(*ellipsoids);
-    }
-    Sites sites = *sitesOf(ground, count, Shapes::Spheres, keepTree, process::part(progress, done, 0.8 + 0.2 * done));
-    Reduced balls = finished(ground, std::move(sites), process::part(progress, 0.8 + 0.2 * done, 1));
-    return ellipsoids && better(ellipsoids->report, balls.report) ? std::move(*ellipsoids) : std::move(balls);
+    if (shapes == Shapes::Auto)
+        return chosen(ground, count, keepTree, progress);
+    Draft draft = *draftOf(ground, count, shapes, process::part(progress, 0, 0.45));
+    return made(ground, std::move(draft), count, keepTree, process::part(progress, 0.45, 1));
 }
 
 namespace {
