@@ -22,7 +22,10 @@ constexpr float leastFacing = 0.17f;
 constexpr float loosest = 0.5f;
 constexpr float slack = 1.02f;
 /// Where rims are fitted: from .22 to here a straight one moves by .07 h (surface/README 5.1).
-constexpr float farthestOff = 0.26f;
+constexpr float largestFitted = 0.26f, farthestOff = 0.3f;
+/// In supports, so far from a rim the samples tell of it: the nearest to a rim may be 1.3 spacings off, and where one
+/// knew nothing, the rim was broken.
+constexpr float reachOfEnds = 0.8f;
 
 /// What a site carries: of the model's surfels around it, of the nearest one where there are none.
 void carry(const surface::Surface& model, const Sites& sites, std::size_t i, surfel::Surfel& out,
@@ -131,11 +134,11 @@ surface::Surface endingAtRims(const surface::Surface& model, const surface::Surf
         std::vector<base::Vec3d> ends;
         for (const base::Vec3f& x : rims.position)
             ends.push_back(base::cast<double>(x));
-        out = process::endingAt(out, ends, surface::rimReach);
+        out = process::endingAt(out, ends, reachOfEnds);
     }
     // Rims that are ragged everywhere, as of raw scans, cannot be followed: there nothing is to be lost.
     return withLimit(out, std::clamp(slack * mostOff(out, places, true, progress), limit,
-                                     limit > farthestOff ? loosest : farthestOff));
+                                     limit > largestFitted ? loosest : farthestOff));
 }
 
 } // namespace reduce

@@ -90,7 +90,8 @@ Rims rimsBeside(const Rims& rims, const base::Box3f& cell) {
     Rims out;
     for (std::size_t i = 0; i < rims.position.size(); ++i)
         if (cell.distanceSq(rims.position[i]) < lengthSq(cell.hi - cell.lo))
-            out.position.push_back(rims.position[i]), out.normal.push_back(rims.normal[i]);
+            out.position.push_back(rims.position[i]), out.normal.push_back(rims.normal[i]),
+                out.outward.push_back(rims.outward[i]);
     return out;
 }
 

@@ -5,10 +5,13 @@
 #include "core/reduce/fit.h"
 #include "core/reduce/fit_steps.h"
 #include "core/reduce/rim_row.h"
+#include "core/reduce/rim_rows.h"
 #include "core/surface/curves/boundary_curves.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace reduce {
 
@@ -20,7 +23,7 @@ constexpr double ridge = 0.03, meanShare = 0.05;
 /// From row to row along a rim, in supports of the samples there: some five to a sample.
 constexpr float apart = 0.125F;
 /// What the middle one of the values at the rims is taken for.
-constexpr double leastLimit = 0.22, mostLimit = 0.32;
+constexpr double leastLimit = 0.24, mostLimit = 0.32;
 /// Rims of raw scans, ragged everywhere, cannot be followed: their samples stay.
 constexpr double raggedFrom = 0.26;
 
@@ -80,7 +83,8 @@ Rims thinned(const Rims& rims, const NumberedTree& sites) {
                 continue;
             sites.tree().nearest(rims.position[i], 1, near);
             step = apart * near.front().block->support(near.front().slot);
-            out.position.push_back(rims.position[i]), out.normal.push_back(rims.normal[i]);
+            out.position.push_back(rims.position[i]), out.normal.push_back(rims.normal[i]),
+                out.outward.push_back(rims.outward[i]);
         }
         out.ends.push_back(static_cast<std::uint32_t>(out.position.size()));
         begin = end;
@@ -115,13 +119,12 @@ double middleOff(const Rims& rims, bool oriented, const Sites& sites) {
     return std::clamp(*middle, leastLimit, mostLimit);
 }
 
-void fitEnds(const Rims& rims, bool oriented, double limit, std::span<const std::uint8_t> held, Sites& sites) {
+void fitEnds(const RimRows& asked, bool oriented, double limit, std::span<const std::uint8_t> held, Sites& sites) {
     std::vector<FitSite> moving = fitSites(sites);
     for (int round = 0; round < rounds; ++round) {
         const std::vector<Piece> pieces =
-            rowsOf(rims.position, sites, moving, [&](std::size_t i, std::span<FitTerm> terms) {
-                const FitRow row = rimRow(base::cast<double>(rims.position[i]), base::cast<double>(rims.normal[i]),
-                                          oriented, limit, terms);
+            rowsOf(asked.position, sites, moving, [&](std::size_t i, std::span<FitTerm> terms) {
+                const FitRow row = asked.row(i, oriented, limit, terms);
                 for (FitTerm& t : terms)
                     if (held[std::size_t(t.site - moving.data())])
                         t.d->fill(0);
@@ -176,7 +179,8 @@ Rims rimsOf(const surface::Surface& surface, const base::Progress& progress) {
     for (const surface::BoundaryCurve& curve : surface::findBoundaryCurves(surface, progress)) {
         for (const surface::BoundaryPoint& point : curve.points)
             out.position.push_back(base::cast<float>(point.position)),
-                out.normal.push_back(base::cast<float>(point.normal));
+                out.normal.push_back(base::cast<float>(point.normal)),
+                out.outward.push_back(base::cast<float>(point.outward));
         out.ends.push_back(static_cast<std::uint32_t>(out.position.size()));
     }
     return out;
@@ -207,18 +211,19 @@ float fitRims(const Rims& rims, std::span<const FittedPart> parts, bool oriented
     progress.step(0, "Fitting rims");
     const NumberedTree tree = treeOf(sites);
     const Rims few = thinned(rims, tree);
-    Some beside(sites, supporting(tree, sites.size(), few.position));
+    const RimRows asked = rimRowsOf(few, tree);
     std::vector<std::uint8_t> moved(sites.size()), held;
     for (const FittedPart& part : parts)
-        for (const std::uint32_t k : beside.of)
+        for (const std::uint32_t k : supporting(tree, sites.size(), few.position))
             moved[k] |= k >= part.begin && k < part.end;
-    for (const std::uint32_t k : beside.of)
+    Some around(sites, supporting(tree, sites.size(), asked.position));
+    for (const std::uint32_t k : around.of)
         held.push_back(!moved[k]);
-    const double limit = middleOff(few, oriented, beside.sites);
+    const double limit = middleOff(few, oriented, around.sites);
     if (limit > raggedFrom)
         return static_cast<float>(limit);
-    fitEnds(few, oriented, limit, held, beside.sites);
-    beside.putBack(sites);
+    fitEnds(asked, oriented, limit, held, around.sites);
+    around.putBack(sites);
     for (const FittedPart& part : parts)
         fitSurfaceAgain(part, moved, sites);
     return static_cast<float>(limit);

@@ -6,9 +6,10 @@
 
 namespace reduce {
 
-/// Points along the curves where a surface ends, in their order, with the surface's normals.
+/// Points along the curves where a surface ends, in their order, with the surface's normals and, along it, the ways
+/// away from it.
 struct Rims {
-    std::vector<base::Vec3f> position, normal;
+    std::vector<base::Vec3f> position, normal, outward;
     std::vector<std::uint32_t> ends; ///< of each curve, into the points
     bool empty() const { return position.empty(); }
 };

@@ -101,22 +101,26 @@ void RimsTest::reducedSetsEndInTheSameLoops_data() {
     QTest::addColumn<double>("low");
     QTest::addColumn<double>("hole");
     QTest::addColumn<int>("shapes");
-    QTest::newRow("half, balls") << 0.0 << 0.0 << int(Shapes::Spheres);
-    QTest::newRow("half, ellipsoids") << 0.0 << 0.0 << int(Shapes::Ellipsoids);
-    QTest::newRow("most of a sphere with a hole") << -0.7 << 0.5 << int(Shapes::Auto);
+    QTest::addColumn<double>("ratio");
+    QTest::newRow("half, balls") << 0.0 << 0.0 << int(Shapes::Spheres) << 0.1;
+    QTest::newRow("half, ellipsoids") << 0.0 << 0.0 << int(Shapes::Ellipsoids) << 0.1;
+    QTest::newRow("most of a sphere with a hole") << -0.7 << 0.5 << int(Shapes::Auto) << 0.1;
+    QTest::newRow("the same, a fifth") << -0.7 << 0.5 << int(Shapes::Spheres) << 0.2;
+    QTest::newRow("the same, a twentieth") << -0.7 << 0.5 << int(Shapes::Spheres) << 0.05;
 }
 
 void RimsTest::reducedSetsEndInTheSameLoops() {
     QFETCH(double, low);
     QFETCH(double, hole);
     QFETCH(int, shapes);
+    QFETCH(double, ratio);
     const Shape shape = cap(std::size_t(test::effort(8000)), low, hole, test::seed());
     const auto dense = surface::findBoundaryCurves(shape.surface);
-    const Reduced result = reduceByRatio(shape.surface, 0.1, Shapes(shapes));
+    const Reduced result = reduceByRatio(shape.surface, ratio, Shapes(shapes));
     QVERIFY(surface::knowsRims(result.surface));
     QVERIFY(result.report.holes <= shape.surface.tree().size() / 1000);
     const auto curves = surface::findBoundaryCurves(result.surface);
-    const double spacing = shape.spacing * std::sqrt(10.0);
+    const double spacing = shape.spacing / std::sqrt(ratio);
     const auto said = [&](const QString& what) {
         return qPrintable(QString("seed %1: %2; %3 curves, %4 of the model")
                               .arg(test::seed())
