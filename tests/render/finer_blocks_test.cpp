@@ -17,6 +17,7 @@ class FinerBlocksTest : public QObject {
     void discsStandOutAsTheirSurfaceBends();
     void edgesHoldTheirFinerDiscs_data();
     void edgesHoldTheirFinerDiscs();
+    void discsOffTheSurfaceAreSettled();
     void facesWithoutCellsStayWhole();
     void updatesAreTheWholePicture_data();
     void updatesAreTheWholePicture();
@@ -142,6 +143,45 @@ void FinerBlocksTest::finerDiscsLieOnTheSurface() {
         QCOMPARE(cut > 0, ends);
         QVERIFY2(double(count) > 6.9 * double(list.size()),
                  qPrintable(QString("%1 for %2, seed %3").arg(count).arg(list.size()).arg(test::seed())));
+    }
+}
+
+/// A ball whose samples lie off it by noise: one disc for each on its surface; without noise nothing is off, and with
+/// cells nobody asks.
+void FinerBlocksTest::discsOffTheSurfaceAreSettled() {
+    surfel::SurfelList list = test::sphere({0, 0, 0}, 1, 4000);
+    const float support = list.items.front().support;
+    const auto offOf = [](FinerBlocks& finer, const tree::SurfelTree& model) {
+        finer.use({}, radius);
+        finer.follow(model);
+        return finer.offSurface(blocksOf(model));
+    };
+    FinerBlocks clean, noisy, divided;
+    for (const float each : offOf(clean, test::built(list)))
+        QVERIFY2(each < 0.02f * support, qPrintable(QString::number(double(each / support))));
+    for (const float each : offOf(divided, test::built(cylinder(0.19, test::seed(), 0))))
+        QCOMPARE(each, 0.0f);
+    base::Random random(test::seed());
+    for (surfel::Surfel& s : list.items)
+        s.position += s.normal * (support * random.uniform(-0.2f, 0.2f));
+    const auto model = test::built(list);
+    for (const float each : offOf(noisy, model))
+        QVERIFY2(each > 0.1f * support, qPrintable(QString::number(double(each / support))));
+    const surface::Surface surface(model, {});
+    std::vector<FinerBlocks::Wish> wishes;
+    for (const surfel::SurfelBlock* block : blocksOf(model))
+        wishes.push_back({block, false, false});
+    noisy.prepare(wishes);
+    for (const FinerBlocks::Wish& wish : wishes) {
+        QCOMPARE(noisy.of(wish.block).size(), std::size_t(1));
+        const surfel::SurfelBlock& there = *noisy.of(wish.block).front().block;
+        QCOMPARE(there.size(), wish.block->size());
+        for (int i = 0; i < there.size(); ++i) {
+            const surface::Evaluationf at = surface.evaluate(there.position(i), surface::Need::Gradient);
+            QVERIFY2(at.ok() && std::abs(at.value) < 1e-3f * support,
+                     qPrintable(QString("%1, seed %2").arg(double(at.value / support)).arg(test::seed())));
+            QCOMPARE(there.support(i), wish.block->support(i));
+        }
     }
 }
 
