@@ -74,8 +74,13 @@ class Combining {
         if (m_tree.size() - out.removed + out.inserted < 4)
             throw base::Error("nothing would be left", "", "move the other one, or choose another operation");
         progress.step(0.9, "Joining");
-        if (m_options.parts)
-            countParts(edit, out);
+        if (m_options.parts) {
+            out.partsGone = partsThatGo(m_tree, edit);
+            if (!m_trimmed) // what coincides with the model is there all the same
+                out.otherPartsGone = partsWhere(m_other, [&](std::size_t i) {
+                    return std::abs(m_ofOperand[i]) == 1 && !staysOfOperand(m_operation, m_ofOperand[i]);
+                });
+        }
         out.surface = {m_tree.apply(edit), m_definition};
         return out;
     }
@@ -194,27 +199,6 @@ class Combining {
             if (each.edit.changed || each.edit.removed.any())
                 edit.blocks.push_back(std::move(each.edit));
         }
-    }
-
-    /// Of both, those of which nothing is left. What coincides with the other one is there all the same.
-    void countParts(const tree::Edit& edit, Combined& out) const {
-        tree::Selection gone;
-        for (const tree::BlockEdit& block : edit.blocks)
-            if (block.removed.any())
-                gone.push_back({block.block, block.removed});
-        out.partsGone = wholeParts(m_tree, gone);
-        gone.clear();
-        const std::vector<std::size_t> first = m_other.firstSurfels();
-        for (std::uint32_t b = 0; b < m_other.blockCount() && !m_trimmed; ++b) {
-            tree::SelectedBlock block{b, {}};
-            for (int slot = 0; slot < m_other.block(b)->size(); ++slot) {
-                const std::int8_t side = m_ofOperand[first[b] + static_cast<std::size_t>(slot)];
-                block.slots[static_cast<std::size_t>(slot)] = std::abs(side) == 1 && !staysOfOperand(m_operation, side);
-            }
-            if (block.slots.any())
-                gone.push_back(block);
-        }
-        out.otherPartsGone = wholeParts(m_other, gone);
     }
 
     /// Of the model's surfels that stay beside a chamfer.

@@ -104,4 +104,25 @@ std::size_t wholeParts(const tree::SurfelTree& tree, const tree::Selection& gone
     return gone.empty() ? 0 : GoneSurfels(tree, gone).wholeParts();
 }
 
+std::size_t partsThatGo(const tree::SurfelTree& tree, const tree::Edit& edit) {
+    tree::Selection out;
+    for (const tree::BlockEdit& block : edit.blocks)
+        if (block.removed.any())
+            out.push_back({block.block, block.removed});
+    return wholeParts(tree, out);
+}
+
+std::size_t partsWhere(const tree::SurfelTree& tree, const std::function<bool(std::size_t)>& gone) {
+    tree::Selection out;
+    const std::vector<std::size_t> first = tree.firstSurfels();
+    for (std::uint32_t b = 0; b < tree.blockCount(); ++b) {
+        tree::SelectedBlock block{b, {}};
+        for (int slot = 0; slot < tree.block(b)->size(); ++slot)
+            block.slots[static_cast<std::size_t>(slot)] = gone(first[b] + static_cast<std::size_t>(slot));
+        if (block.slots.any())
+            out.push_back(block);
+    }
+    return wholeParts(tree, out);
+}
+
 } // namespace solid
