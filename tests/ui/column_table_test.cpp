@@ -29,14 +29,14 @@ class ColumnTableTest : public QObject {
     void fieldsAreNeverCut();
 };
 
-/// A ball whose columns are a number, z, y, x.
+/// A ball whose columns are a number, z, y, x; the number does not count the rows, or nobody would take it for x.
 static std::string ball(const char* names) {
     base::Random random(test::seed());
     std::ostringstream out;
     out << names;
     for (int i = 0; i < 900; ++i) {
         const base::Vec3d p = random.unitVector();
-        out << i << ' ' << 3 * p.z << ' ' << 2 * p.y << ' ' << p.x << '\n';
+        out << 641 * i % 900 << ' ' << 3 * p.z << ' ' << 2 * p.y << ' ' << p.x << '\n';
     }
     return out.str();
 }
