@@ -1,8 +1,8 @@
 // Compiled once per instruction set and chosen at run time (Google Highway).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/reduce/row_products.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include "core/reduce/row_products.h"
+#include "core/base/instruction_sets.h"
 
 #include <cstddef>
 

@@ -166,16 +166,14 @@ std::size_t fillLargeFaces(SurfelList& vertices, const FaceTopology& topology, s
                            const std::vector<std::uint8_t>& over, const InnerPlaces* inside, const FacePaint* paint,
                            const base::Progress& progress) {
     std::vector<FacePoint> points = pointsOnLargeFaces(topology, positions, progress);
-    if (points.empty())
-        return 0;
-    FaceTopology smooth = topology;
-    joinFans(smooth, positions, noisyEdges(topology));
     std::erase_if(points, [&](const FacePoint& p) { return over[p.triangle] != 0; });
     if (inside)
         std::erase_if(points,
                       [&](const FacePoint& p) { return inside->has(placeOf(p, topology, positions), p.triangle); });
     if (points.empty())
         return 0;
+    FaceTopology smooth = topology;
+    joinFans(smooth, positions, noisyEdges(topology));
     const SurfelList more =
         FaceSampler(vertices, smooth, positions, paint, vertices.layout).run(points, [](std::size_t) {
             return FaceSampler::Size{};
@@ -320,7 +318,7 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
             paintVertices(vertices, *paint);
         const bool whole = options.use == FaceUse::Auto && !broken(topology);
         std::optional<InnerPlaces> inside;
-        const std::vector<std::uint8_t> over = foldedOver(topology, positions);
+        const std::vector<std::uint8_t> over = whole ? foldedOver(topology, positions) : std::vector<std::uint8_t>();
         if (whole && (mayCross(topology, positions) || std::ranges::find(over, 1) != over.end()))
             inside.emplace(topology, positions);
         if (inside && inside->outerShare() == 1)

@@ -26,6 +26,7 @@ constexpr int discsFor = 7;
 constexpr float finerRadius = 0.6f, ringRadius = 0.75f;
 /// A foot farther off than this part of the radius is on another sheet.
 constexpr float nearFoot = 1;
+
 /// What is drawn: a disc, or an ellipse.
 struct Disc {
     surfel::Surfel surfel;
@@ -235,7 +236,8 @@ void FinerBlocks::prepare(std::span<const Wish> wishes) {
     if (const auto labels = cells::LabelLayout::of(*m_model.layout()))
         cells = cells::CellSurface::unprepared(surface, *labels);
     std::optional<BoundarySubject> bounded;
-    if (std::isfinite(m_definition.boundaryLimit))
+    if (std::isfinite(m_definition.boundaryLimit) &&
+        std::ranges::any_of(fresh, [](const Kept* kept) { return kept->cut; }))
         bounded.emplace(m_model, m_definition, m_radiusOfSupport);
     base::parallelFor(fresh.size(), 1, [&](std::size_t b) {
         const SurfelBlock& block = *fresh[b]->block;
