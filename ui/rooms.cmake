@@ -19,8 +19,7 @@ function(pointclay_qt_room name)
     if(name STREQUAL theme)
         pointclay_heavy(${target} <QMainWindow> <QPainter> <nlohmann/json.hpp>)
     else()
-        target_precompile_headers(${target} REUSE_FROM pointclay_theme)
-        target_compile_options(${target} PRIVATE -fpch-preprocess) # for ccache
+        pointclay_heavy_as(${target} pointclay_theme)
     endif()
 endfunction()
 
