@@ -15,15 +15,14 @@ using surface::Need;
 using surface::Projector;
 using surface::Status;
 
+bool valid(Status status) {
+    return status == Status::Ok || status == Status::BeyondBoundary;
+}
+
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Vec3d nanVector{nan, nan, nan};
-
-/// BeyondBoundary is a valid answer to a question asked there.
-bool valid(Status status) {
-    return status == Status::Ok || status == Status::BeyondBoundary;
-}
 
 Vec3d vectorOf(const Answer& a, const Vec3d& v) {
     return valid(a.at.status) ? v : nanVector;
@@ -117,7 +116,7 @@ std::span<const WhatRow> whatTable() {
          [](CsvWriter& out, const Answer& a, const Vec3d&) { out.word(surface::causeName(a.at.cause)); }},
         {"cell",
          "cell",
-         "number of the cell that the position belongs to, of a model with cells; -1 where there is none",
+         "number of the cell that the position belongs to, 0 of a model without cells; -1 where there is none",
          {},
          Need::Value,
          [](CsvWriter& out, const Answer& a, const Vec3d&) {
@@ -126,7 +125,7 @@ std::span<const WhatRow> whatTable() {
          Asks::Cells},
         {"feature",
          "feature",
-         "what the closest point of the surface lies on, of a model with cells: face, seam, corner, or none",
+         "what the closest point of the surface lies on: face, seam, corner, or none",
          {},
          Need::Value,
          [](CsvWriter& out, const Answer& a, const Vec3d&) { out.word(cells::featureName(a.feature)); },
@@ -142,15 +141,10 @@ std::string Question::header() const {
     return out + "\n";
 }
 
-void Question::check(surface::Manifold manifold, bool cells) const {
+void Question::check(surface::Manifold manifold, bool complex) const {
     const Asks wrong = manifold == surface::Manifold::Curve ? Asks::Surface : Asks::Curve;
     for (const WhatRow* row : rows)
-        if (row->of == Asks::Cells && !cells)
-            throw UsageError("--what: " + std::string(row->id) +
-                             " is for models with cells; meshes with sharp edges open with them, others get them by "
-                             "'pointclay crease'");
-    for (const WhatRow* row : rows)
-        if (row->of == wrong)
+        if (row->of == wrong || (row->of == Asks::Cells && wrong == Asks::Surface && !complex))
             throw UsageError("--what: " + std::string(row->id) +
                              (wrong == Asks::Curve ? " is for curves (--manifold curve)" : " is for surfaces"));
 }

@@ -18,11 +18,14 @@ struct Answer {
     surface::Curvature curvature;
     surface::Projection<double> projection;
     base::Vec3d tangent, curvatureVector; ///< of a curve
-    std::uint32_t cell = cells::noCell;   ///< of a model with cells
+    std::uint32_t cell = cells::noCell;   ///< 0 of a model without cells
     cells::Feature feature = cells::Feature::None;
 };
 
-/// What a question makes sense on.
+/// BeyondBoundary is a valid answer to a question asked there.
+bool valid(surface::Status status);
+
+/// What a question makes sense on; cells are those of surfaces and of complexes.
 enum class Asks { Both, Surface, Curve, Cells };
 
 struct WhatRow {
@@ -45,11 +48,11 @@ struct Question {
     surface::Need need = surface::Need::Value;
     bool curvature = false;
     std::optional<surface::Projector> projector;
-    bool feature = false; ///< of models with cells
+    bool feature = false;
 
     std::string header() const;
     /// Throws UsageError where something makes no sense on this kind of model.
-    void check(surface::Manifold manifold, bool cells) const;
+    void check(surface::Manifold manifold, bool complex) const;
     /// The first of evaluation and projection that is not all right.
     surface::Status status(const Answer& answer) const;
 };

@@ -83,6 +83,23 @@ void addCurvature(const Surface& surface, std::span<const Vec3d> x, bool inDoubl
         out[i].curvature = found[i];
 }
 
+/// Without cells a surface is one, and all of it is face.
+void answerAsOneCell(const Surface& surface, const Question& question, std::span<const Vec3d> x, bool inDouble,
+                     std::span<Answer> out) {
+    for (Answer& each : out)
+        if (valid(each.at.status))
+            each.cell = 0;
+    if (!question.feature)
+        return;
+    Question foot;
+    foot.projector = surface::Projector::Orthogonal;
+    std::vector<Answer> feet(x.size());
+    (inDouble ? answerInDouble : answerInFloat)(surface, foot, x, feet);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (feet[i].projection.status == surface::Status::Ok)
+            out[i].feature = cells::Feature::Face;
+}
+
 /// Answers at positions relative to the origin. What is not finite is nowhere: Status::Outside.
 std::vector<Answer> answer(const Surface& surface, const CellAnswers* byCells, const complexes::Complex* complex,
                            const Question& question, std::span<const Vec3d> x, bool inDouble) {
@@ -103,6 +120,8 @@ std::vector<Answer> answer(const Surface& surface, const CellAnswers* byCells, c
         addCurvature(surface, finite, inDouble, found);
     if (byCells)
         byCells->answer(question, finite, found);
+    else if (!curve && !complex)
+        answerAsOneCell(surface, question, finite, inDouble, found);
     for (std::size_t k = 0; k < places.size(); ++k)
         out[places[k]] = found[k];
     return out;
@@ -124,7 +143,7 @@ void query(const QueryArguments& options, Console& console) {
     openModel(context, options.model, options.surface->parameters(), console);
     const auto byCells = CellAnswers::of(document.surface(), question);
     const auto complex = complexes::Complex::of(document.surface());
-    question.check(document.surface().definition().manifold, byCells || complex);
+    question.check(document.surface().definition().manifold, complex.has_value());
     const Vec3d origin = document.provenance().origin;
 
     io::SafeFile file(options.out);
