@@ -91,9 +91,37 @@ class PairTracer {
             return std::nullopt;
         // far from one of them both go on as what is smooth to both, and agree without meeting
         const double a = m_source.sums(i).weight, b = m_source.sums(j).weight;
-        if (std::min(a, b) < leastOwn * std::max(a, b))
+        if (std::min(a, b) < leastOwn * std::max(a, b) || isOfOthers(i, j, spacing))
             return std::nullopt;
         return foot;
+    }
+    /// Is the place nearer to other cells that meet in the same edge? Bands (crease_bands.h) end along an edge, creases
+    /// without an angle run into it, and there cells on both sides have its zeros for some spacings.
+    bool isOfOthers(std::size_t i, std::size_t j, double spacing) {
+        std::vector<std::size_t> sides[2];
+        for (std::size_t k = 0; k < m_source.count(); ++k) {
+            if (k == i || (k != j && areOne(i, k, spacing)))
+                sides[0].push_back(k);
+            if (k == j || (k != i && areOne(j, k, spacing)))
+                sides[1].push_back(k);
+        }
+        const double own = m_source.sums(i).weight * m_source.sums(j).weight;
+        for (const std::size_t k : sides[0])
+            for (const std::size_t l : sides[1])
+                if ((k != i || l != j) && m_source.sums(k).weight * m_source.sums(l).weight > own &&
+                    m_source.sharpness(k, l) > leastSharpness)
+                    return true;
+        return false;
+    }
+    /// Do two cells go on as one there?
+    bool areOne(std::size_t i, std::size_t k, double spacing) {
+        if (m_source.smooth(i, k))
+            return true;
+        const Evaluationd &at = m_source.at(i, Need::Gradient), &other = m_source.at(k, Need::Gradient);
+        return valid(other) && std::abs(other.value) < looseWhereFlat * spacing && areFlat(at.gradient, other.gradient);
+    }
+    static bool areFlat(const Vec3d& g, const Vec3d& h) {
+        return lengthSq(cross(g, h)) < flatSineSq * lengthSq(g) * lengthSq(h) && dot(g, h) > 0;
     }
     std::optional<Vec3d> sharpFoot(const Vec3d& y) {
         Feet feet(m_source, y, {});
@@ -105,8 +133,7 @@ class PairTracer {
         const std::size_t i = m_source.find(m_pair.first), j = m_source.find(m_pair.second);
         if (i == CellSource::none || j == CellSource::none)
             return false;
-        const Vec3d &g = m_source.at(i, Need::Gradient).gradient, &h = m_source.at(j, Need::Gradient).gradient;
-        return lengthSq(cross(g, h)) < flatSineSq * lengthSq(g) * lengthSq(h) && dot(g, h) > 0;
+        return areFlat(m_source.at(i, Need::Gradient).gradient, m_source.at(j, Need::Gradient).gradient);
     }
     /// Both zeros are everywhere then: where both cells have the same weight, on the surface that both are.
     std::optional<Vec3d> flatFoot(Vec3d y, double spacing) {

@@ -2,8 +2,10 @@
 #include "core/cells/seams.h"
 
 #include "cells/solids.h"
+#include "core/cells/creases/draw_crease.h"
 #include "support/registry.h"
 
+#include <algorithm>
 #include <QTest>
 
 using namespace plane_solids;
@@ -17,6 +19,8 @@ class SeamsTest : public QObject {
     void everyEdgeIsASeam();
     void circlesAreClosed();
     void withoutCreasesThereAreNone();
+    void edgesAreOneWhateverIsDrawnOverThem_data();
+    void edgesAreOneWhateverIsDrawnOverThem();
 };
 
 namespace {
@@ -108,6 +112,89 @@ void SeamsTest::withoutCreasesThereAreNone() {
     Random random(test::seed());
     const SampledSolid s = sampled(intersection({{{0, 0, 1}, 0.3}}), 1, 0.1, random);
     QVERIFY(traceSeams(cellsOf(s.surfels)).empty());
+}
+
+namespace {
+
+std::vector<Vec3d> between(const Vec3d& a, const Vec3d& b) {
+    std::vector<Vec3d> out;
+    for (int k = 0; k <= 8; ++k)
+        out.push_back(a + (b - a) * (k / 8.0));
+    return out;
+}
+
+/// Of the seams of a cube what lies on its edges.
+double lengthOnEdges(const std::vector<Seam>& seams, double half, double near) {
+    const auto isOnEdge = [&](const Vec3d& p) {
+        int planes = 0;
+        for (const double x : {p.x, p.y, p.z})
+            planes += std::abs(std::abs(x) - half) < near ? 1 : 0;
+        return planes >= 2;
+    };
+    double out = 0;
+    for (const Seam& seam : seams)
+        for (std::size_t k = 0; k + 1 < seam.points.size(); ++k)
+            if (isOnEdge(seam.points[k]) && isOnEdge(seam.points[k + 1]))
+                out += base::distance(seam.points[k], seam.points[k + 1]);
+    return out;
+}
+
+/// Ends where no other seam ends.
+int loneEnds(const std::vector<Seam>& seams, double reach) {
+    std::vector<Vec3d> ends;
+    for (const Seam& seam : seams)
+        if (!seam.closed)
+            ends.insert(ends.end(), {seam.points.front(), seam.points.back()});
+    int out = 0;
+    for (const Vec3d& p : ends)
+        out += std::count_if(ends.begin(), ends.end(), [&](const Vec3d& q) { return base::distance(p, q) < reach; }) < 2
+                   ? 1
+                   : 0;
+    return out;
+}
+
+} // namespace
+
+void SeamsTest::edgesAreOneWhateverIsDrawnOverThem_data() {
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<int>("lines");
+    QTest::newRow("over an edge") << 0 << 1;
+    QTest::newRow("up to an edge") << 1 << 1;
+    QTest::newRow("beside an edge") << 2 << 1;
+    QTest::newRow("over each other") << 3 << 2;
+}
+
+/// Cells that end within a face, bands and their rest, both sides of a line where it has no angle, have the same zeros
+/// around their ends: an edge that they share was told twice there.
+void SeamsTest::edgesAreOneWhateverIsDrawnOverThem() {
+    QFETCH(int, kind);
+    QFETCH(int, lines);
+    Random random(test::seed());
+    constexpr double half = 0.9, spacing = 0.07;
+    surface::Surface surface = surfaceOf(sampled(cube(half), 1.7, spacing, random).surfels);
+    const double slant = random.uniform(-0.4, 0.4), at = random.uniform(-0.2, 0.2), reach = 0.5;
+    const Vec3d onEdge{half, half, at}, down{half, half - reach, at + slant * reach};
+    std::vector<std::vector<Vec3d>> drawn;
+    if (kind == 0) {
+        drawn = {between(down, onEdge)};
+        for (const Vec3d& p : between(onEdge, {half - reach, half, at - slant * reach}))
+            drawn[0].push_back(p);
+    } else if (kind == 1) {
+        drawn = {between(down, onEdge)};
+    } else if (kind == 2) {
+        const double y = half - random.uniform(2.7, 5) * spacing;
+        drawn = {between({half, y, -0.4}, {half, y, 0.4})};
+    } else {
+        drawn = {between({half, -0.45, -slant}, {half, 0.45, slant}), between({half, at, -0.45}, {half, -at, 0.45})};
+    }
+    for (const std::vector<Vec3d>& line : drawn)
+        surface = cells::drawCrease(surface, line, 1).surface;
+    const std::vector<Seam> found = traceSeams(*cells::CellSurface::of(surface));
+    const double onEdges = lengthOnEdges(found, half, 0.01 * spacing), whole = 24 * half;
+    QVERIFY2(std::abs(onEdges - whole) < 0.01 * whole,
+             qPrintable(QString("%1 of %2 on edges, seed %3").arg(onEdges).arg(whole).arg(test::seed())));
+    const int lone = loneEnds(found, spacing);
+    QVERIFY2(lone <= 2 * lines, qPrintable(QString("%1 lone ends, seed %2").arg(lone).arg(test::seed())));
 }
 
 static const test::Registered<SeamsTest> registered;
