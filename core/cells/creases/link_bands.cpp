@@ -3,12 +3,15 @@
 #include "core/cells/crease_bands.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 namespace cells {
 
 namespace {
 
-constexpr double bandWidth = 10; ///< spacings
+constexpr double bandWidth = 10;  ///< spacings
+constexpr double voteReach = 2.8; ///< spacings: links that tell what is across an older crease
 
 class BandSplit {
   public:
@@ -87,6 +90,30 @@ std::vector<std::uint32_t> splitAtCreases(const SurfelLinks& links, std::span<co
 
 void moveToCells(const SurfelLinks& links, std::span<const std::uint32_t> cells, std::span<Label> labels) {
     const std::vector<Label> before(labels.begin(), labels.end());
+    // What has become of a cell beside surfel i: where a new crease crosses one that is there, both its parts are near,
+    // and the one that most links lead to from the own part is across that crease alone.
+    const auto partOf = [&](std::uint32_t i, std::uint32_t cell) -> std::optional<std::uint32_t> {
+        const auto near = links.near(i);
+        const double reach = voteReach * links.spacing(i);
+        std::map<std::uint32_t, double> votes;
+        const auto look = [&](std::uint32_t a) {
+            for (std::uint32_t e = links.begin(a); cells[a] == cells[i] && e < links.end(a); ++e) {
+                const std::uint32_t b = links.link(e).other;
+                const double part = base::distance(links.middle(a, e), links.at(i)) / reach;
+                if (before[b].cell == cell && part < 1)
+                    votes[cells[b]] += (1 - part) * (1 - part);
+            }
+        };
+        look(i);
+        std::for_each(near.begin(), near.end(), look);
+        const auto most = std::max_element(votes.begin(), votes.end(),
+                                           [](const auto& x, const auto& y) { return x.second < y.second; });
+        if (most != votes.end())
+            return most->first;
+        const auto any =
+            std::find_if(near.begin(), near.end(), [&](std::uint32_t j) { return before[j].cell == cell; });
+        return any == near.end() ? std::nullopt : std::optional(cells[*any]);
+    };
     for (std::uint32_t i = 0; i < links.size(); ++i) {
         Label& label = labels[i];
         label.cell = cells[i];
@@ -94,11 +121,8 @@ void moveToCells(const SurfelLinks& links, std::span<const std::uint32_t> cells,
             label.partner = cells[i];
         if (before[i].meeting == Meeting::None)
             continue;
-        const auto near = links.near(i);
-        const auto across = std::find_if(near.begin(), near.end(),
-                                         [&](std::uint32_t j) { return before[j].cell == before[i].partner; });
-        if (across != near.end())
-            label.partner = cells[*across];
+        if (const auto across = partOf(i, before[i].partner))
+            label.partner = *across;
     }
 }
 

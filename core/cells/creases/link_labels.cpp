@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
 namespace cells {
 
@@ -25,7 +25,8 @@ class LinkLabels {
     void label(std::uint32_t i, Label& out) const {
         out.cell = m_cells[i];
         out.face = m_faces[i];
-        const std::uint32_t partner = nearestAcross(i);
+        const double known = distanceToKnown(i, out);
+        const std::uint32_t partner = nearestAcross(i, known);
         if (partner == m_cells[i])
             return;
         out.partner = partner;
@@ -62,9 +63,19 @@ class LinkLabels {
         for (const std::uint32_t a : m_links.near(i))
             from(a);
     }
-    /// The cell across the nearest link that is cut, the own one for none.
-    std::uint32_t nearestAcross(std::uint32_t i) const {
-        double least = partnerReach * m_links.spacing(i);
+    /// How far off is the crease that the surfel is known to be beside?
+    double distanceToKnown(std::uint32_t i, const Label& label) const {
+        double least = std::numeric_limits<double>::infinity();
+        if (label.meeting != Meeting::None && label.partner != m_cells[i])
+            forCrossings(i, label.partner, [&](std::uint32_t, std::uint32_t e, double distance) {
+                if (m_links.link(e).cut != Cut::Wall)
+                    least = std::min(least, distance);
+            });
+        return least;
+    }
+    /// The cell across the nearest link that is cut and nearer than so, the own one for none.
+    std::uint32_t nearestAcross(std::uint32_t i, double within) const {
+        double least = std::min(within, partnerReach * m_links.spacing(i));
         std::uint32_t out = m_cells[i];
         forCrossings(i, m_cells[i], [&](std::uint32_t, std::uint32_t e, double distance) {
             if (m_links.link(e).cut == Cut::Crease && distance < least) {
