@@ -18,6 +18,7 @@ constexpr float reach = 4.5f;        ///< spacings: how far off a patch may be t
 constexpr float aboutNearest = 1.2f; ///< spacings: surfels so much farther than the nearest tell of the patch's plane
 constexpr float leastSine = 0.14f;   ///< 8 degrees: flatter than that nobody can measure where a patch ends
 constexpr float flatReach = 2.5f;    ///< spacings: so near the patch across still is where there is no edge
+constexpr float leastTurn = 0.035f;  ///< 2 degrees: which way flatter ones turn makes no difference
 
 constexpr float beyondEdge = 1.25f; ///< spacings: about so far beyond its edge a face has no surfels
 
@@ -96,6 +97,7 @@ class LabelMeter {
         out.meeting = Meeting::None;
         float nearest = (m_kept ? reach : static_cast<float>(partnerReach)) * s;
         bool flat = false; // is the crease still there, without an edge?
+        Meeting turns = before.meeting;
         for (const auto& [cell, farSq] : others) {
             if (!(farSq < reach * reach * s * s))
                 continue;
@@ -112,7 +114,11 @@ class LabelMeter {
             normal = normalized(normal), way = way / std::max(total, 1e-30f);
             const float sine = length(normal - n * dot(n, normal));
             if (!(sine > leastSine)) {
-                flat |= cell == before.partner && dot(n, normal) > 0 && farSq < flatReach * flatReach * s * s;
+                if (cell == before.partner && dot(n, normal) > 0 && farSq < flatReach * flatReach * s * s) {
+                    flat = true;
+                    if (before.meeting != Meeting::None && sine > leastTurn)
+                        turns = meetingWith(before.cell, p + way, normal, s);
+                }
                 continue;
             }
             const float distance = std::abs(dot(way, normal)) / sine;
@@ -123,7 +129,11 @@ class LabelMeter {
             out.partner = cell;
             out.meeting = meetingWith(before.cell, p + way, normal, s);
         }
-        return (flat || m_kept) && out.meeting == Meeting::None ? before : out;
+        if ((flat || m_kept) && out.meeting == Meeting::None) {
+            out = before;
+            out.meeting = turns;
+        }
+        return out;
     }
 
     /// Has the cell surfels beyond the plane of another one, `far` off along its own? Then it does not end there: it is

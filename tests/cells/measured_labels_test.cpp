@@ -99,6 +99,8 @@ void MeasuredLabelsTest::bentTheOtherWayTheSignTurns_data() {
     QTest::addColumn<double>("to");
     QTest::newRow("ridge to valley") << -30.0 << 25.0;
     QTest::newRow("valley to ridge") << 30.0 << -20.0;
+    QTest::newRow("ridge to hardly a valley") << -30.0 << 2.0;
+    QTest::newRow("valley to hardly a ridge") << 30.0 << -2.0;
 }
 
 void MeasuredLabelsTest::bentTheOtherWayTheSignTurns() {
