@@ -8,6 +8,7 @@
 #include "core/process/samples/samples.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
+#include "support/thread_counts.h"
 
 #include <array>
 #include <fstream>
@@ -270,14 +271,17 @@ void PrepareTest::sameHashAtAnyThreadCount() {
     const auto list = sample("scan").make(20000, test::seed());
     SurfaceDefinition other;
     other.neighbours = 24;
-    base::setThreadCount(1);
-    const auto one = prepare(list, {}), oneOther = redefine(one, other);
+    std::vector<surface::Surface> all, others;
+    for (const int threads : test::comparedThreads({0})) {
+        base::setThreadCount(threads);
+        all.push_back(prepare(list, {}));
+        others.push_back(redefine(all.back(), other));
+    }
     base::setThreadCount(0);
-    const auto two = prepare(list, {}), twoOther = redefine(two, other);
-    QCOMPARE(one.tree().contentHash().text(), two.tree().contentHash().text());
-    QVERIFY(one.definition() == two.definition());
-    QCOMPARE(oneOther.tree().contentHash().text(), twoOther.tree().contentHash().text());
-    QVERIFY(oneOther.definition() == twoOther.definition());
+    for (const auto& made : {all, others}) {
+        QCOMPARE(made.front().tree().contentHash().text(), made.back().tree().contentHash().text());
+        QVERIFY(made.front().definition() == made.back().definition());
+    }
 }
 
 /// Slot by slot, under the definition that came out.
