@@ -48,6 +48,16 @@ static surfel::SurfelList unevenBall(base::Random& random, double noise) {
     return out;
 }
 
+/// The same for every law, which costs more than the strokes on it.
+static const surface::Surface& preparedBall(double noise) {
+    static std::map<double, surface::Surface> made;
+    const auto found = made.find(noise);
+    if (found != made.end())
+        return found->second;
+    base::Random random(test::seed());
+    return made.emplace(noise, process::prepare(unevenBall(random, noise), {})).first->second;
+}
+
 /// The squares of all spacings on a ball, over its area. `scatter`: in spacings off an even layout; below 0: random.
 static double areaOfSpacings(base::Random& random, double scatter) {
     constexpr std::size_t count = 6000;
@@ -111,8 +121,7 @@ void KeptSamplingTest::whatStretchesNothingKeepsEverySurfel() {
     QFETCH(QString, tool);
     QFETCH(double, strength);
     QFETCH(double, noise);
-    base::Random random(test::seed());
-    const surface::Surface start = process::prepare(unevenBall(random, noise), {});
+    const surface::Surface start = preparedBall(noise);
     StrokeSettings settings;
     settings.tool = tool.toStdString();
     settings.radius = 0.3f;
@@ -161,7 +170,7 @@ void KeptSamplingTest::whatIsHardlyStretchedKeepsItsPlaces_data() {
 void KeptSamplingTest::whatIsHardlyStretchedKeepsItsPlaces() {
     QFETCH(double, noise);
     base::Random random(test::seed());
-    const surface::Surface start = process::prepare(unevenBall(random, noise), {});
+    const surface::Surface start = preparedBall(noise);
     int weak = 0;
     std::vector<tree::Neighbour> near;
     for (const char* tool : {"draw", "inflate", "clay", "pinch", "nudge", "twist", "smooth"})
@@ -195,8 +204,7 @@ void KeptSamplingTest::whatIsHardlyStretchedKeepsItsPlaces() {
 }
 
 void KeptSamplingTest::fineDetailStaysFine() {
-    base::Random random(test::seed());
-    const surface::Surface start = process::prepare(unevenBall(random, 0), {});
+    const surface::Surface start = preparedBall(0);
     const auto fine = [](const surface::Surface& surface) {
         const auto items = surface.tree().surfels().items;
         return std::count_if(items.begin(), items.end(), [](const surfel::Surfel& s) {

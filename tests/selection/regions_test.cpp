@@ -82,12 +82,13 @@ void RegionsTest::lassosHoldWhatBruteForceFinds() {
         camera.up = random.unitVector();
         camera.orthoHeight = parallel ? 2.5 : 0;
         const std::vector<Point2> corners = randomLasso(random, 3 + random.below(200), round % 3 == 0);
-        ViewRegion region(camera, Outline(corners));
+        const Outline lasso(corners);
+        ViewRegion region(camera, lasso);
         if (round % 2)
             region.nearest = distance - 0.5, region.farthest = distance + 0.5 * random.uniform();
         const auto expected = test::those(ball.tree(), [&](const surfel::Surfel& s) {
             const Vec3d p = camera.project(base::cast<double>(s.position));
-            return p.z > 0 && p.z >= region.nearest && p.z <= region.farthest && Outline(corners).holds({p.x, p.y});
+            return p.z > 0 && p.z >= region.nearest && p.z <= region.farthest && lasso.holds({p.x, p.y});
         });
         const std::string what = test::seedText(test::seed()) + ", round " + std::to_string(round);
         QVERIFY2(test::placesOf(within(ball.tree(), region)) == test::placesOf(expected), what.c_str());

@@ -3,6 +3,7 @@
 #include "core/session/journal.h"
 #include "core/session/recover.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "workbench.h"
 
 #include <QTest>
@@ -32,17 +33,19 @@ class CleanCommandTest : public QObject {
 
 namespace {
 
-/// A noisy sphere with strays, at coordinates far from zero where asked for.
-std::string scan(double offset = 0, bool masked = false) {
+/// A noisy sphere with a fiftieth of strays, at coordinates far from zero where asked for.
+std::string scan(double offset = 0, bool masked = false, int count = 3000) {
     base::Random random(7);
+    const int all = count + count / 50;
     std::ostringstream out;
     out.precision(12);
-    out << "ply\nformat ascii 1.0\nelement vertex 3060\nproperty double x\nproperty double y\nproperty double z\n"
+    out << "ply\nformat ascii 1.0\nelement vertex " << all
+        << "\nproperty double x\nproperty double y\nproperty double z\n"
         << (masked ? "property float mask\n" : "") << "end_header\n";
-    for (int i = 0; i < 3060; ++i) {
-        const double z = 1 - (2 * i + 1.0) / 3000, r = std::sqrt(std::max(0.0, 1 - z * z)), a = i * 2.399963229728653;
+    for (int i = 0; i < all; ++i) {
+        const double z = 1 - (2 * i + 1.0) / count, r = std::sqrt(std::max(0.0, 1 - z * z)), a = i * 2.399963229728653;
         Vec3d p = Vec3d{r * std::cos(a), r * std::sin(a), z} * (1 + 0.01 * random.normal());
-        if (i >= 3000)
+        if (i >= count)
             p = random.unitVector() * random.uniform(1.3, 2);
         out << p.x + offset << ' ' << p.y << ' ' << p.z << (masked ? i % 2 ? " 1" : " 0" : "") << '\n';
     }
@@ -72,15 +75,15 @@ std::string boxInShell(std::uint64_t seed) {
 }
 
 /// A cone, whose base no way reaches but over an acute edge, with strays around it.
-std::string coneAmongStrays(std::uint64_t seed, double height, int strays = 150) {
+std::string coneAmongStrays(std::uint64_t seed, double height, int strays = 150, int count = 6000) {
     base::Random random(seed);
     const double slant = std::hypot(1, height);
     std::ostringstream out;
-    for (int i = 0; i < 6000 + strays; ++i) {
+    for (int i = 0; i < count + strays; ++i) {
         const double turn = random.uniform(0, 6.283185307179586), r = std::sqrt(random.uniform());
         const bool base = random.uniform(0, 1 + slant) < 1;
         Vec3d p{std::cos(turn) * r, std::sin(turn) * r, base ? 0 : height * (1 - r)};
-        if (i >= 6000)
+        if (i >= count)
             p = {random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-1, 3)};
         out << p.x << ' ' << p.y << ' ' << p.z << '\n';
     }
@@ -126,7 +129,7 @@ void CleanCommandTest::everyStepUndoesAndReplays() {
     Workbench bench;
     session::Journal journal(bench.path("j.jsonl"));
     bench.context.journal = &journal;
-    bench.run(open(bench, scan(1e6)));
+    bench.run(open(bench, scan(1e6, false, 1000)));
     const std::string before = bench.hash();
     bench.run(command);
     const std::string after = bench.hash();
@@ -222,7 +225,8 @@ void CleanCommandTest::bodiesInShellsOfStraysLookOutwards() {
 void CleanCommandTest::sidesGuessedAmongStraysAreGuessedAgain() {
     for (const char* line : {R"({"op":"outliers"})", R"({"op":"clean","outliers":"statistical"})"}) {
         Workbench bench;
-        const std::string path = test::write(bench.path("scan.xyz"), coneAmongStrays(test::seed(), 1.5, 1500)).string();
+        const std::string path =
+            test::write(bench.path("scan.xyz"), coneAmongStrays(test::seed(), 1.5, 500, 2000)).string();
         bench.run({{"op", "open"}, {"path", path}});
         bench.run(json::parse(line));
         QVERIFY2(bench.context.figures.contains("flipped"), qPrintable(QString("seed %1").arg(test::seed())));

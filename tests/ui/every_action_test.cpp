@@ -28,6 +28,11 @@ class EveryActionTest : public QObject {
 
 namespace {
 
+/// A small one: what is drawn after each of hundreds of entries costs as much as it has pixels.
+struct SmallWindow : WindowFixture {
+    SmallWindow() { window->resize(500, 400); }
+};
+
 /// Answers dialogs of this process: those of files and colours are turned down, others as wished.
 class Answers {
   public:
@@ -96,7 +101,7 @@ void EveryActionTest::everyEntryLeavesAWindowThatWorks_data() {
 void EveryActionTest::everyEntryLeavesAWindowThatWorks() {
     QFETCH(bool, model);
     QFETCH(bool, yes);
-    WindowFixture f;
+    SmallWindow f;
     const Answers answers(yes);
     if (model)
         makeModel(f);
@@ -140,7 +145,7 @@ void EveryActionTest::everyCommandTellsWhatItDidOrWhyNot_data() {
 void EveryActionTest::everyCommandTellsWhatItDidOrWhyNot() {
     QFETCH(QString, menu);
     QFETCH(bool, model);
-    WindowFixture f;
+    SmallWindow f;
     const Answers answers(true);
     const QString way = f.window->menu(menu)->title().remove('&');
     for (const ui::PaletteEntry& entry : ui::paletteEntries(*f.window->menuBar())) {
