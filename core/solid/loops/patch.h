@@ -15,6 +15,8 @@ struct Patch {
     std::vector<double> spacings;          ///< wanted at each
     std::vector<mesh::Triangle> triangles; ///< a disc, counter-clockwise seen from where the loop's normals point
     std::size_t loopSize = 0;
+    /// Of the loop's points, where the patch goes on into the surface around; empty: theirs.
+    std::vector<base::Vec3d> edgeNormals = {};
 
     bool inside(std::size_t vertex) const { return vertex >= loopSize; }
 };

@@ -284,8 +284,10 @@ ReliefFate followRelief(const surface::Surface& surface, const Loop& loop, const
     std::vector<Vec3d> moved(fine.positions.size()), turned(moved.size());
     base::parallelFor(moved.size(), 64,
                       [&](std::size_t v) { moved[v] = follower.moved(fine.positions[v], normals[v]); });
-    for (std::size_t v = 0; v < fine.loopSize; ++v)
-        moved[v] = fine.positions[v];
+    for (std::size_t v = 0; v < fine.loopSize; ++v) { // the rim keeps its own relief
+        moved[v] = loop.points[v].position;
+        normals[v] = loop.points[v].normal;
+    }
     for (const mesh::Triangle& t : fine.triangles)
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3d a = moved[t[(k + 1) % 3]] - moved[t[k]], b = moved[t[(k + 2) % 3]] - moved[t[k]],

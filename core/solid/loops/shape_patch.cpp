@@ -1,12 +1,9 @@
 #include "core/solid/loops/shape_patch.h"
 
-#include "core/base/parallel.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/solid/loops/fairing.h"
-#include "core/surface/projection/project.h"
+#include "core/solid/loops/loop_rings.h"
 
-#include <numbers>
-#include <optional>
 #include <queue>
 #include <span>
 
@@ -15,35 +12,6 @@ namespace solid {
 using base::Vec3d;
 
 namespace {
-
-/// Rings of the surface around a loop: ring 0 is the loop, what follows lies ever farther from the hole.
-constexpr std::size_t rings = 2;
-
-/// How far one ring lies from the next, in spacings: a part of the hole's radius where that is more, up to this many.
-/// Beside the loop surfels are on one side only, and the surface leans by some hundredths: narrow rings would carry
-/// that, and the noise of a scan, up to the middle.
-constexpr double widestStep = 2, stepOfRadius = 0.3;
-
-/// Without ring 0.
-std::vector<Vec3d> ringsAround(const surface::Surface& surface, const Loop& loop) {
-    const std::size_t n = loop.size();
-    const double radius = loop.length / (2 * std::numbers::pi);
-    std::vector<Vec3d> out(rings * n);
-    base::parallelFor(n, 4, [&](std::size_t i) {
-        const LoopPoint& p = loop.points[i];
-        const double step = std::clamp(stepOfRadius * radius, p.spacing, widestStep * p.spacing);
-        for (std::size_t ring = 1; ring <= rings; ++ring) {
-            const double way = step * static_cast<double>(ring);
-            Vec3d place = p.position - p.outward * way;
-            const auto foot =
-                surface::projectReference(surface, place, {.checkBoundary = false}, {base::cast<float>(p.normal)});
-            if (foot.ok() && distance(foot.foot, place) < way)
-                place = foot.foot;
-            out[(ring - 1) * n + i] = place;
-        }
-    });
-    return out;
-}
 
 /// The patch, whose positions stand first, with rings of the surface around it.
 struct Ringed {
@@ -58,7 +26,7 @@ Ringed ringed(const Patch& patch, std::span<const Vec3d> around) {
     out.positions.insert(out.positions.end(), around.begin(), around.end());
     out.free.assign(out.positions.size(), 0);
     std::fill(out.free.begin() + n, out.free.begin() + first, 1);
-    for (std::uint32_t ring = 1; ring <= rings; ++ring)
+    for (std::uint32_t ring = 1; ring <= LoopRings::count; ++ring)
         for (std::uint32_t i = 0; i < n; ++i) {
             const std::uint32_t j = (i + 1) % n, outer = first + (ring - 1) * n, inner = ring == 1 ? 0 : outer - n;
             out.triangles.push_back({inner + i, outer + i, inner + j});
@@ -109,15 +77,25 @@ class Shaping {
     Shaping(const surface::Surface& surface, const Loop& loop)
         : m_loop(loop), m_around(ringsAround(surface, loop)), m_unit(loop.meanSpacing()) {}
 
+    /// The loop comes to lie where the surface is that a smooth patch goes on from.
+    void begin(Patch& patch) const { std::copy(m_around.edge.begin(), m_around.edge.end(), patch.positions.begin()); }
     /// So many steps at most, with areas and angles those of the last shape. `fresh`: it has none yet, and how it bends
     /// does not count at first. Lost where it swings away from the loop.
     Flow go(Patch& patch, int order, int passes, bool fresh) const {
-        Ringed at = ringed(patch, m_around);
+        Ringed at = ringed(patch, m_around.behind);
         Flow out = Flow::Going;
         for (int pass = 0; pass < passes && out == Flow::Going; ++pass)
             out = step(at, patch.positions.size(), order, fresh && pass == 0);
         if (out != Flow::Lost)
             std::copy_n(at.positions.begin(), patch.positions.size(), patch.positions.begin());
+        return out;
+    }
+
+    /// Of the loop's points, as the patch and the rings meet there.
+    std::vector<Vec3d> edgeNormals(const Patch& patch) const {
+        const Ringed at = ringed(patch, m_around.behind);
+        std::vector<Vec3d> out = vertexNormals(at.positions, at.triangles);
+        out.resize(patch.loopSize);
         return out;
     }
 
@@ -148,7 +126,7 @@ class Shaping {
     }
 
     const Loop& m_loop;
-    std::vector<Vec3d> m_around;
+    LoopRings m_around;
     double m_unit;
 };
 
@@ -183,6 +161,7 @@ bool shapePatch(const surface::Surface& surface, const Loop& loop, Shape shape, 
     if (shape == Shape::Flat)
         return shaping.go(patch, 1, passes, true) != Flow::Lost;
     Patch bent = patch;
+    shaping.begin(bent);
     if (!bendPatch(shaping, loop, bent, process::part(progress, 0, 0.6)))
         return false;
     patch = bent;
@@ -192,13 +171,16 @@ bool shapePatch(const surface::Surface& surface, const Loop& loop, Shape shape, 
         near = near && distance(bent.positions[v], patch.positions[v]) <= beyond * extentOf(loop);
     if (near)
         patch = std::move(bent);
+    patch.edgeNormals = shaping.edgeNormals(patch);
     return true;
 }
 
 std::vector<Vec3d> patchNormals(const Loop& loop, const Patch& patch) {
     std::vector<Vec3d> out = vertexNormals(patch.positions, patch.triangles);
     for (std::size_t v = 0; v < out.size(); ++v)
-        out[v] = v < loop.size() ? loop.points[v].normal : normalized(out[v], loop.points[0].normal);
+        out[v] = v >= loop.size()            ? normalized(out[v], loop.points[0].normal)
+                 : patch.edgeNormals.empty() ? loop.points[v].normal
+                                             : normalized(patch.edgeNormals[v], loop.points[v].normal);
     return out;
 }
 
