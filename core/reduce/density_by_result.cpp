@@ -55,11 +55,24 @@ surface::Surface surfaceOf(const Sites& sites, bool oriented, bool oneSheet) {
     return {tree::SurfelTree::build(list), definition};
 }
 
+/// Whether a rim is within that reach.
+bool besideRim(const NumberedTree& rims, const base::Vec3f& x, float reach) {
+    std::vector<tree::Neighbour> near;
+    rims.tree().nearest(x, 1, near, reach);
+    return !near.empty();
+}
+
 /// Squared distance of the sites' surface at each place times the area that it stands for, summed over the places of
-/// each site.
-std::vector<double> sumsOfSquares(const Places& places, const Sites& sites, const NumberedTree& tree, bool oneSheet) {
+/// each site; and once more with places that are lost beside rims as without surface.
+struct Sums {
+    std::vector<double> between, wanted;
+};
+Sums sumsOfSquares(const Places& places, const Sites& sites, const NumberedTree& tree, const Rims& rims,
+                   bool oneSheet) {
+    const NumberedTree ends =
+        rims.empty() ? NumberedTree() : NumberedTree(rims.position, rims.normal, {}); // an empty one is not asked
     std::vector<std::uint32_t> site(places.size());
-    std::vector<float> square(places.size());
+    std::vector<float> square(places.size()), wanted(places.size());
     base::parallelChunks(places.size(), 512, [&](std::size_t begin, std::size_t end, std::size_t) {
         std::vector<tree::Neighbour> near;
         for (std::size_t i = begin; i < end; ++i) {
@@ -82,13 +95,17 @@ std::vector<double> sumsOfSquares(const Places& places, const Sites& sites, cons
                         [&](surface::Source& source, std::size_t i) {
                             const surface::Evaluationf e =
                                 source.evaluate(places.position[i], surface::Need::Gradient, {places.normal[i]});
-                            const float slope = length(e.gradient), most = farthest * sites.support[site[i]];
+                            const float reach = sites.support[site[i]], most = farthest * reach;
+                            const float slope = length(e.gradient);
                             const float off = e.ok() && slope > flattest ? std::abs(e.value) / slope : most;
                             square[i] = std::min(off, most) * std::min(off, most) * places.area[i];
+                            const bool lost = !rims.empty() && e.ok() && e.offCentre > lostAtRims * e.unit &&
+                                              besideRim(ends, places.position[i], reach);
+                            wanted[i] = lost ? most * most * places.area[i] : square[i];
                         });
-    std::vector<double> out(sites.size());
+    Sums out{std::vector<double>(sites.size()), std::vector<double>(sites.size())};
     for (std::size_t i = 0; i < places.size(); ++i)
-        out[site[i]] += double(square[i]);
+        out.between[site[i]] += double(square[i]), out.wanted[site[i]] += double(wanted[i]);
     return out;
 }
 
@@ -125,12 +142,12 @@ double foreseenFrom(const std::vector<double>& sums, const Places& places) {
 } // namespace
 
 std::vector<float> sharesByResult(const Places& places, const Sites& sites, std::vector<float> shares,
-                                  std::size_t count, bool oneSheet, double* foreseen) {
+                                  std::size_t count, const Rims& rims, bool oneSheet, double* foreseen) {
     const NumberedTree tree(sites.position, sites.normal, {});
-    std::vector<double> log = sumsOfSquares(places, sites, tree, oneSheet);
+    Sums squares = sumsOfSquares(places, sites, tree, rims, oneSheet);
     if (foreseen)
-        *foreseen = foreseenFrom(log, places);
-    std::vector<double> sums = log;
+        *foreseen = foreseenFrom(squares.between, places);
+    std::vector<double> log = std::move(squares.wanted), sums = log;
     const double mean = std::accumulate(log.begin(), log.end(), 0.0) / static_cast<double>(log.size());
     const double typical = std::max({process::middleOf(sums), leastOfMean * mean, 1e-300});
     for (double& each : log)

@@ -116,8 +116,8 @@ std::optional<Draft> draftOf(Ground& ground, std::size_t count, Shapes shapes, c
         roundBesideRims(ground.rims, out.shares, places);
     }
     const Sites first = fitted(ground, out.shares, count, true, process::part(progress, 0.2, 1));
-    out.shares = sharesByResult(places, first, std::move(out.shares), count, ground.dense.surface.definition().oneSheet,
-                                &out.foreseen);
+    out.shares = sharesByResult(places, first, std::move(out.shares), count, ground.rims,
+                                ground.dense.surface.definition().oneSheet, &out.foreseen);
     out.shape = std::move(places.shape);
     return out;
 }

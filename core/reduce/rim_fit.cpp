@@ -24,6 +24,8 @@ constexpr float apart = 0.125F;
 constexpr double leastLimit = 0.24, mostLimit = 0.32;
 /// Rims of raw scans, ragged everywhere, cannot be followed: their samples stay.
 constexpr double raggedFrom = 0.26;
+/// Rounds in which samples that a place is lost under go back.
+constexpr int returns = 3;
 
 /// In supports of the samples wanted there: so near to a rim they are balls, and so far off what they would be.
 constexpr float roundWithin = 1, freeFrom = 2;
@@ -105,13 +107,20 @@ std::vector<Piece> rowsOf(std::span<const base::Vec3f> points, const Sites& site
     return pieces;
 }
 
-double middleOff(const Rims& rims, bool oriented, const Sites& sites) {
-    std::vector<double> off(rims.position.size(), mostLimit);
-    rowsOf(rims.position, sites, fitSites(sites), [&](std::size_t i, std::span<FitTerm> terms) {
-        off[i] = offCentreAt(base::cast<double>(rims.position[i]), base::cast<double>(rims.normal[i]), oriented, terms)
-                     .value_or(mostLimit);
+/// o / h at points; `none` where no site is.
+std::vector<double> offCentres(std::span<const base::Vec3f> points, std::span<const base::Vec3f> normals, bool oriented,
+                               const Sites& sites, double none) {
+    std::vector<double> off(points.size(), none);
+    rowsOf(points, sites, fitSites(sites), [&](std::size_t i, std::span<FitTerm> terms) {
+        off[i] =
+            offCentreAt(base::cast<double>(points[i]), base::cast<double>(normals[i]), oriented, terms).value_or(none);
         return FitRow();
     });
+    return off;
+}
+
+double middleOff(const Rims& rims, bool oriented, const Sites& sites) {
+    std::vector<double> off = offCentres(rims.position, rims.normal, oriented, sites, mostLimit);
     const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
     std::nth_element(off.begin(), middle, off.end());
     return std::clamp(*middle, leastLimit, mostLimit);
@@ -148,13 +157,51 @@ Places placesUnder(const Places& places, const NumberedTree& marked) {
     return out;
 }
 
-void fitSurfaceAgain(const FittedPart& part, std::span<const std::uint8_t> moved, Sites& sites) {
-    std::vector<std::uint32_t> own, marked;
-    for (std::size_t i = part.begin; i < part.end; ++i) {
-        own.push_back(static_cast<std::uint32_t>(i));
-        if (moved[i])
-            marked.push_back(own.back());
+/// Numbers of the part's sites, or of the marked ones among them.
+std::vector<std::uint32_t> sitesOf(const FittedPart& part, std::span<const std::uint8_t> marked = {}) {
+    std::vector<std::uint32_t> out;
+    for (std::size_t i = part.begin; i < part.end; ++i)
+        if (marked.empty() || marked[i])
+            out.push_back(static_cast<std::uint32_t>(i));
+    return out;
+}
+
+/// The parts' places that a marked site has weight at.
+Places placesOf(std::span<const FittedPart> parts, std::span<const std::uint8_t> marked, const Sites& sites) {
+    Places out;
+    for (const FittedPart& part : parts) {
+        const Some own(sites, sitesOf(part, marked));
+        if (own.of.empty())
+            continue;
+        const Places under = placesUnder(*part.places, treeOf(own.sites));
+        out.position.insert(out.position.end(), under.position.begin(), under.position.end());
+        out.normal.insert(out.normal.end(), under.normal.begin(), under.normal.end());
     }
+    return out;
+}
+
+/// Where a rim is ragged, or narrow flaps have one on either side, samples that end at it lose places of the surface.
+/// Those go back to where they were, and move no more: what has no rim there is better than what has a hole.
+void giveBack(const Places& beside, bool oriented, const Sites& before, std::vector<std::uint8_t>& moved,
+              Sites& sites) {
+    for (int round = 0; round < returns; ++round) {
+        const std::vector<double> off = offCentres(beside.position, beside.normal, oriented, sites, 0);
+        std::vector<base::Vec3f> lost;
+        for (std::size_t i = 0; i < off.size(); ++i)
+            if (off[i] > double(lostAtRims))
+                lost.push_back(beside.position[i]);
+        std::vector<std::uint32_t> over = supporting(treeOf(sites), sites.size(), lost);
+        std::erase_if(over, [&](std::uint32_t k) { return !moved[k]; });
+        if (over.empty())
+            return;
+        for (const std::uint32_t k : over)
+            moved[k] = 0;
+        Some(before, std::move(over)).putBack(sites);
+    }
+}
+
+void fitSurfaceAgain(const FittedPart& part, std::span<const std::uint8_t> moved, Sites& sites) {
+    const std::vector<std::uint32_t> own = sitesOf(part), marked = sitesOf(part, moved);
     if (marked.empty())
         return;
     const Places places = placesUnder(*part.places, treeOf(Some(sites, marked).sites));
@@ -220,8 +267,11 @@ float fitRims(const Rims& rims, std::span<const FittedPart> parts, bool oriented
     const double limit = middleOff(few, oriented, around.sites);
     if (limit > raggedFrom)
         return static_cast<float>(limit);
+    const Places beside = placesOf(parts, moved, sites);
+    const Sites before = sites;
     fitEnds(asked, oriented, limit, held, around.sites);
     around.putBack(sites);
+    giveBack(beside, oriented, before, moved, sites);
     for (const FittedPart& part : parts)
         fitSurfaceAgain(part, moved, sites);
     return static_cast<float>(limit);

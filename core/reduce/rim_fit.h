@@ -14,6 +14,10 @@ struct Rims {
     bool empty() const { return position.empty(); }
 };
 
+/// A place of the surface beside a rim is lost with as much o / h: limits of fitted rims end at .3, less what is slack
+/// (assemble.cpp).
+constexpr float lostAtRims = 0.294F;
+
 /// Of a surface whose limit is finite; none else. In parallel; the same bits at any thread count. Throws
 /// base::Cancelled.
 Rims rimsOf(const surface::Surface& surface, const base::Progress& progress = {});

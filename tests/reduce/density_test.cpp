@@ -40,9 +40,9 @@ void DensityTest::whatErrsGetsMoreSamples() {
     tiltUpperHalf(sites);
     const int threads = base::threadCount();
     base::setThreadCount(1);
-    const std::vector<float> anew = sharesByResult(dense.places, sites, even, count, true);
+    const std::vector<float> anew = sharesByResult(dense.places, sites, even, count, {}, true);
     base::setThreadCount(3);
-    QVERIFY(sharesByResult(dense.places, sites, even, count, true) == anew);
+    QVERIFY(sharesByResult(dense.places, sites, even, count, {}, true) == anew);
     base::setThreadCount(threads);
     QVERIFY(std::abs(std::accumulate(anew.begin(), anew.end(), 0.0) / double(count) - 1) < 0.01);
     double upper = 0, lower = 0, upperBefore = 0, lowerBefore = 0;

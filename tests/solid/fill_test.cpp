@@ -203,7 +203,7 @@ void FillTest::aFlatHoleIsFilledFlat() {
         options.keepLargest = true;
         const solid::Filled result = solid::fillHoles(open, options);
         QCOMPARE(result.loops.size(), std::size_t(2));
-        const double hole = std::numbers::pi * 8.4 * 8.4; // within half a row of the first points
+        const double hole = std::numbers::pi * 8.55 * 8.55; // within half a row of the first points
         QVERIFY2(std::abs(static_cast<double>(result.loops[1].surfels) - hole) < 0.2 * hole,
                  QByteArray::number(result.loops[1].surfels));
         for (const surfel::Surfel& each : fresh(open, result.surface)) {

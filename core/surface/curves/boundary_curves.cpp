@@ -16,6 +16,7 @@ constexpr double seedOffCentre = 0.1;
 constexpr double seedReach = 1;   ///< in units of h: a boundary farther off is another surfel's
 constexpr double onCurve = 0.02;  ///< in units of h: how far a point may be from the polyline of its curve
 constexpr double sameCurve = 0.1; ///< in units of h: two curves that are so close for half their way are one
+constexpr double atKinks = 0.08;  ///< in units of h: how far ways end from each other where rims have corners
 constexpr std::size_t slab = 65536;
 
 /// Boundary points by their surfels, in tree order.
@@ -52,22 +53,35 @@ std::vector<BoundaryPoint> findSeeds(const Surface& surface, const base::Progres
     return out;
 }
 
+/// The other open curve that goes on where the one at `i` ends: the nearest.
+std::optional<std::pair<std::size_t, Kink>> successor(const std::vector<BoundaryCurve>& curves, std::size_t i) {
+    std::optional<std::pair<std::size_t, Kink>> out;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        const auto kink =
+            k == i || curves[k].closed ? std::nullopt : kinkBetween(curves[i].points, curves[k].points, atKinks);
+        if (kink && (!out || kink->apart < out->second.apart))
+            out = {k, *kink};
+    }
+    return out;
+}
+
 /// Makes one curve of those that follow each other over kinks, and a loop where the last leads to the first.
 void joinAtKinks(std::vector<BoundaryCurve>& curves) {
-    for (std::size_t i = 0; i < curves.size(); ++i)
-        for (std::size_t k = 0; k < curves.size() && !curves[i].closed;) {
-            if (k == i || curves[k].closed || !meetAtAKink(curves[i].points.back(), curves[k].points.front())) {
-                ++k;
-                continue;
-            }
-            BoundaryCurve next = std::move(curves[k]);
-            curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(k));
-            i -= k < i;
-            curves[i].points.insert(curves[i].points.end(), next.points.begin(), next.points.end());
-            curves[i].surfels += next.surfels;
-            curves[i].closed = closesAtAKink(curves[i].points);
-            k = 0; // what follows that one
+    for (std::size_t i = 0; i < curves.size();) {
+        curves[i].closed = curves[i].closed || closeAtAKink(curves[i].points, atKinks);
+        const auto next = curves[i].closed ? std::nullopt : successor(curves, i);
+        if (!next) {
+            ++i;
+            continue;
         }
+        const auto& [k, kink] = *next;
+        std::vector<BoundaryPoint>&from = curves[k].points, &to = curves[i].points;
+        to.resize(kink.upTo);
+        to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(kink.from), from.end());
+        curves[i].surfels += curves[k].surfels;
+        curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(k));
+        i -= k < i;
+    }
 }
 
 } // namespace

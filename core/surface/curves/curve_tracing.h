@@ -15,6 +15,7 @@
 #pragma once
 
 #include "core/surface/curves/boundary.h"
+#include "core/surface/curves/kinks.h"
 
 #include <algorithm>
 #include <optional>
@@ -36,13 +37,16 @@ class CurveTracing {
           m_step(0.25 * options.longestStep * seed.unit) {}
 
     /// Appends points to the seed until the curve closes (true) or ends. Where f has a step, the way from the seed may
-    /// lead into a loop that does not come back to it: then the loop alone is kept (found as in [Brent80]).
+    /// lead into a loop that does not come back to it: then the loop alone is kept (found as in [Brent80]). The seed is
+    /// looked for all the same: a kink that is stepped over once may end the next round before it comes to a mark.
     bool run(std::vector<Point>& out) {
         std::size_t mark = 0, nextMark = 64;
         while (out.size() < m_options.mostPoints && !m_ended) {
             Point next;
             if (!go(next))
                 return false;
+            if (out.size() > 2 && passes(out.front(), next))
+                return true;
             if (out.size() > mark + 2 && passes(out[mark], next)) {
                 out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(mark));
                 return true;
@@ -139,22 +143,6 @@ struct TracedCurve {
     bool closed = false;
 };
 
-/// Whether a curve that ends at one point goes on at the other: both ways came to one place where it turns at once, and
-/// no step leads on.
-template <class Point>
-bool meetAtAKink(const Point& end, const Point& begin) {
-    constexpr double near = 0.02; // of h; steps end at a thousandth
-    return distance(end.position, begin.position) < near * end.unit;
-}
-
-/// Whether an open curve is a loop all the same, and more than a dot.
-template <class Point>
-bool closesAtAKink(const std::vector<Point>& points) {
-    constexpr std::size_t fewest = 16;
-    return points.size() >= fewest && meetAtAKink(points.back(), points.front()) &&
-           distance(points.front().position, points[points.size() / 2].position) > 0.5 * points.front().unit;
-}
-
 /// From one of its points, both ways where it does not close.
 template <class Problem>
 TracedCurve<typename Problem::Point> traceCurve(const Problem& problem, const typename Problem::Point& seed,
@@ -171,7 +159,8 @@ TracedCurve<typename Problem::Point> traceCurve(const Problem& problem, const ty
         return {std::move(before), true};
     before.insert(before.end(), out.points.begin() + 1, out.points.end());
     out.points = std::move(before);
-    out.closed = closesAtAKink(out.points);
+    constexpr double near = 0.02; // of h; steps end at a thousandth
+    out.closed = closeAtAKink(out.points, near);
     return out;
 }
 
