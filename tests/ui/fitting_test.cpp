@@ -36,6 +36,7 @@ class FittingTest : public QObject {
         qApp->setPalette(m_palette);
     }
     void everyToolIsThereInALowWindow();
+    void toolsHaveRoomInEveryStyle();
     void everyMenuIsThereInANarrowWindow();
     void theWindowOpensOnItsScreen();
     void narrowStatusLinesKeepTheirMessage();
@@ -70,6 +71,22 @@ void FittingTest::everyToolIsThereInALowWindow() {
         }
         QCOMPARE(seen, sculpt::toolTable().size());
         QVERIFY(all.contains(f.window->statusLine().geometry()) && f.window->statusLine().height() > 10);
+    }
+}
+
+/// Buttons got their size before the bar's style was theirs: in a low window the last column was cut off.
+void FittingTest::toolsHaveRoomInEveryStyle() {
+    WindowFixture f;
+    f.window->resize(960, 540);
+    auto& grid = *f.window->toolBar().findChild<ui::ToolGrid*>();
+    for (const int padding : {2, 5, 3, 7, 1}) {
+        grid.setStyleSheet(QString("QToolButton { padding: %1px; }").arg(padding));
+        for (int k = 0; k < 3; ++k) // a layout after another
+            QCoreApplication::processEvents();
+        QVERIFY(f.window->toolBar().rect().contains(grid.geometry()));
+        for (const QToolButton* button : grid.findChildren<QToolButton*>())
+            QVERIFY2(grid.rect().contains(button->geometry()),
+                     qPrintable(QString("%1, padding %2").arg(button->text()).arg(padding)));
     }
 }
 

@@ -47,8 +47,12 @@ PropertiesPanel::PropertiesPanel(Settings& settings, QWidget* parent) : QScrollA
     setWidget(content);
     setWidgetResizable(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setFixedWidth(256);
+    setMinimumWidth(panelWidth); // wider where panels below it are
     refresh();
+}
+
+QSize PropertiesPanel::sizeHint() const {
+    return {panelWidth, QScrollArea::sizeHint().height()};
 }
 
 // --- building ---

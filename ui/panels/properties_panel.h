@@ -29,6 +29,8 @@ class PropertiesPanel : public QScrollArea {
     /// Where tools that copy copy from, as a person reads it; empty: not chosen yet.
     void showSource(const QString& place);
 
+    QSize sizeHint() const override;
+
   Q_SIGNALS:
     void edited(); ///< the settings have changed here
     void unitWanted(ui::RadiusUnit unit);
@@ -47,6 +49,8 @@ class PropertiesPanel : public QScrollArea {
     void showTool();
     void buildToolParameters();
     void resetTool();
+
+    static constexpr int panelWidth = 256;
 
     Settings& m_settings;
     EditSettings m_edit;       ///< changes the chosen tool's options

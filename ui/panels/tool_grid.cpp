@@ -1,6 +1,7 @@
 #include "ui/panels/tool_grid.h"
 
 #include <algorithm>
+#include <QEvent>
 #include <QToolButton>
 
 namespace ui {
@@ -42,6 +43,14 @@ QSize ToolGrid::minimumSizeHint() const {
     return {m_columns * (cell().width() + gap) - gap, heightOf(most) - spare * rowsOf(most)};
 }
 
+bool ToolGrid::event(QEvent* event) {
+    const bool done = QWidget::event(event);
+    // What buttons need is known once they have the style of the bar that they came into, and another theme changes it.
+    if (event->type() == QEvent::Show || event->type() == QEvent::LayoutRequest || event->type() == QEvent::StyleChange)
+        arrange();
+    return done;
+}
+
 void ToolGrid::resizeEvent(QResizeEvent*) {
     arrange();
 }
@@ -58,9 +67,9 @@ void ToolGrid::arrange() {
         const QPoint at(place % columns * (size.width() + gap), place / columns * (size.height() + gap));
         m_buttons[i]->setGeometry(QRect(at, size));
     }
-    if (columns != m_columns) {
-        m_columns = columns;
-        setFixedWidth(sizeHint().width());
+    m_columns = columns;
+    if (const int wide = sizeHint().width(); wide != minimumWidth() || wide != maximumWidth()) {
+        setFixedWidth(wide);
         updateGeometry();
     }
 }
