@@ -144,7 +144,8 @@ static QComboBox* listOf(const CommandParameter& p, const QString& present, cons
     auto* out = new QComboBox;
     out->setEditable(QString(p.type).startsWith("number") || std::string_view(p.type) == "choices"); // one, or several
     out->setInsertPolicy(QComboBox::NoInsert);
-    out->setCompleter(nullptr); // its first Return would be a completion's, not the dialog's
+    if (out->isEditable())
+        out->setCompleter(nullptr); // its first Return would be a completion's, not the dialog's
     const QString fallback = present.isEmpty() ? fallbackOf(p) : present;
     if (fallback.isEmpty())
         out->addItem(isOptional(p) ? none : QString(), QString());
