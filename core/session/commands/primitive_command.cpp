@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/base/short_number.h"
 #include "core/base/unit_normal.h"
 #include "core/session/commands/combined_model.h"
 #include "core/session/commands/commands.h"
@@ -101,12 +102,16 @@ static void drill(Context& context, const json& complete) {
     const surface::RayHit<double> hit = surface::intersectReference(model, {from, direction});
     if (!hit.hit)
         throw base::Error("the drill misses the model", "drill", "aim at it: give another \"from\" or \"direction\"");
+    const double spacing = spacingNear(model, hit.position);
+    if (2 * radius < spacing) // no seam is found on what is thinner: the hole would stay closed at both ends
+        throw base::Error("the hole is narrower than the points there are apart, " + base::shortNumber(spacing),
+                          "drill", "make it wider, or make the points denser there");
     const auto [first, last] = alongModel(model, from, direction);
     const double begin = first - radius, end = depth > 0 ? hit.t + depth : last + radius;
     const solid::Pose pose = solid::poseAlong(from + direction * (0.5 * (begin + end)), direction);
     takeBoth(context,
-             withPrimitive(context, solid::primitive("cylinder"), {radius, end - begin, 0}, pose,
-                           spacingNear(model, hit.position), complete, solid::Operation::Difference),
+             withPrimitive(context, solid::primitive("cylinder"), {radius, end - begin, 0}, pose, spacing, complete,
+                           solid::Operation::Difference),
              "Drill");
 }
 
