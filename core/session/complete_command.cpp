@@ -28,8 +28,12 @@ std::string number(double value) {
     return out.str();
 }
 
+std::string unitText(const CommandParameter& p) {
+    return *p.unit ? std::string(" ") + p.unit : "";
+}
+
 std::string rangeText(const CommandParameter& p) {
-    const std::string unit = *p.unit ? std::string(" ") + p.unit : "";
+    const std::string unit = unitText(p);
     const std::string low = p.min == positive ? "above 0" : "at least " + number(p.min);
     if (p.max >= largest)
         return low + unit;
@@ -53,8 +57,8 @@ bool hasChoice(const CommandParameter& p, const std::string& value) {
 
 void checkNumber(const CommandRow& row, const CommandParameter& p, const json& value) {
     const double x = value.get<double>();
-    if (!std::isfinite(x) || x < p.min || x > p.max)
-        refuse(row, p, value, rangeText(p));
+    if (!std::isfinite(x) || x < p.min || x > p.max) // ranges do not name the largest number, which a value may exceed
+        refuse(row, p, value, x > largest ? "at most " + number(p.max) + unitText(p) : rangeText(p));
 }
 
 /// One choice alone, several as a list: of a list, or of a text with commas.

@@ -118,6 +118,7 @@ void CommandTest::whatIsWrongIsRefused_data() {
     row(R"({"op":"new","sample":"sphere","count":2.5})", "a whole number");
     row(R"({"op":"new","sample":"sphere","count":3})", "100 to 1e+08 surfels");
     row(R"({"op":"resample","spacing":0})", "above 0 model units");
+    row(R"({"op":"resample","spacing":1e300})", "at most 3.40282e+38 model units");
     row(R"({"op":"resample","spacing":"fine"})", "must be a number");
     row(R"({"op":"surface","frame":"square"})", "must be one of");
     row(R"({"op":"surface","boundary":"sometimes"})", "must be a number, above 0 h, or one of auto none");
