@@ -100,6 +100,15 @@ static void suggest(const CLI::App& program) {
     }
 }
 
+/// CLI11's own message, but for words that nobody expected, which it tells last word first.
+static std::string failureText(const CLI::App* program, const CLI::Error& error) {
+    if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError))
+        return CLI::FailureMessage::simple(program, error);
+    const std::vector<std::string> words = program->remaining(true);
+    return std::string("The following argument") + (words.size() == 1 ? " was" : "s were") +
+           " not expected: " + CLI::detail::join(words, " ") + "\nRun with --help for more information.\n";
+}
+
 /// The name of an option or argument that was given nothing, as by a script whose variable is not set; else "". It
 /// would count as left out: outputs would not be written, and nobody be told.
 static std::string givenNothing(const CLI::App& command) {
@@ -118,6 +127,7 @@ std::optional<int> parse(CLI::App& program, int argc, char** argv) {
     std::vector<const char*> texts;
     for (const std::string& word : words)
         texts.push_back(word.c_str());
+    program.failure_message(failureText);
     try {
         program.parse(static_cast<int>(texts.size()), texts.data());
         const std::string name = givenNothing(program);

@@ -271,6 +271,7 @@ void CommandLineTest::mistypedWordsAreAnsweredWithTheNearest() {
         {"render sample:sphere:500 --ouput a.png", "Did you mean --output?"},
         {"render sample:sphere:500 --sizes=8x8 -o a.png", "Did you mean --size?"},
         {"query sample:sphere:500 --at p.xyz --what vlaue -o o.csv", "did you mean 'value'? known are"},
+        {"fill p.xyz -o w.ply --report r.json", "not expected: --report r.json\n"},
         {"info sample:shpere:500", "did you mean 'sphere'?"},
         {"run s.jsonl", "did you mean 'sphere'?"},
         {"run t.jsonl", "did you mean 'new'? known are"},
