@@ -180,10 +180,10 @@ class Shortlist {
     std::vector<FoundPlace> m_kept;
 };
 
-/// Some of each task's tries.
+/// Some of each task's tries: more than are wanted, as wrong places that cover more than the true one come first.
 std::vector<FoundPlace> bestOfTasks(const std::vector<Match>& matches, const Features& moving, const Features& fixed,
                                     const Places& places, float spacing, bool oriented) {
-    constexpr std::size_t ofEach = 4;
+    constexpr std::size_t ofEach = 48;
     std::vector<Shortlist> best(tasks, Shortlist(moving, spacing, ofEach));
     base::parallelFor(tasks, 1, [&](std::size_t task) {
         base::Random random(task);
@@ -229,7 +229,11 @@ std::vector<FoundPlace> findPlaces(const Features& moving, const Features& fixed
     const bool oriented = moving.oriented && fixed.oriented;
     const Places places(fixed, nearby * static_cast<double>(spacing));
     progress.step(0.1, "Looking for its place");
-    std::vector<FoundPlace> best = bestOfTasks(matches, moving, fixed, places, spacing, oriented);
+    constexpr std::size_t starts = 512;
+    Shortlist apart(moving, spacing, starts); // tasks find the same places, which settle on the same one
+    for (const FoundPlace& each : bestOfTasks(matches, moving, fixed, places, spacing, oriented))
+        apart.add(each);
+    std::vector<FoundPlace> best = apart.kept();
     base::parallelFor(best.size(), 1, [&](std::size_t k) {
         if (best[k].share > 0)
             best[k] = refined(best[k], moving, fixed, places, spacing, oriented);
