@@ -46,7 +46,8 @@ struct ResampleOptions {
     /// Each surfel's own target instead, and `spacing` again the largest: a new surfel has the mean target
     /// and support of those around it; supports of others stay. Called from many threads.
     std::function<float(const surfel::SurfelBlock&, int slot)> targetOf;
-    /// Where set: new ones come only beside those of which it is true, and where one went. From many threads.
+    /// Where set: new ones come only beside those of which it is true, and where one went; there also along open
+    /// borders, between others. From many threads.
     std::function<bool(const surfel::SurfelBlock&, int slot)> drawnApart;
     /// Off-centre values in units of h from which a place of the frozen surface belongs to an open border; 0: as where
     /// many neighbours bear it. With few they are larger everywhere.

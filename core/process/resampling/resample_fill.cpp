@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace process {
@@ -18,6 +19,10 @@ constexpr float tolerance = 0.02f; ///< in spacings; a step ends nearer to the s
 constexpr float hopeless = 1.3f;
 /// Sum of the normals over the sum of the weights below which sheets mix: what grows there grows inside out.
 constexpr float leastAgreement = 0.5f;
+/// Of the two last samples of a rim that is drawn along itself none is farther off than this, in spacings, where
+/// there is room between them.
+constexpr float betweenReach = 1.8f;
+constexpr float freeSector = 3.49f; ///< 200 degrees: with 185 a rim recedes by .04 s where it becomes 1.8 times as long
 /// In place of fillApart where only what has moved is looked at: of places chosen by chance, as many are born then as
 /// are merged. By fillApart 2 to 4 % more are.
 constexpr float wellApart = 0.82f;
@@ -47,17 +52,41 @@ bool stray(const SampleSet& set, const base::Vec3f& x, const base::Vec3f& n, flo
     return isStray(alike, others);
 }
 
+/// Is the place between samples of its sheet: is no side of it, as seen from above, free of them by more than
+/// `freeSector`? On the way from one of the last samples of a rim to the next half a turn is free, beyond it more.
+bool between(const SampleSet& set, const base::Vec3f& x, const base::Vec3f& n, float radius) {
+    const base::Vec3f u = perpendicular(n), v = cross(n, u);
+    std::vector<float> at;
+    set.grid.forNear(x, radius, [&](const PointGrid::Entry& e) {
+        const base::Vec3f d = e.position - x;
+        if (!set.is(e.index, Gone) && dot(d, d) < radius * radius && set.facing.same(n, set.normal[e.index]))
+            at.push_back(std::atan2(dot(d, v), dot(d, u)));
+    });
+    if (at.size() < 3)
+        return false;
+    std::sort(at.begin(), at.end());
+    float widest = at.front() + 2 * std::numbers::pi_v<float> - at.back();
+    for (std::size_t i = 1; i < at.size(); ++i)
+        widest = std::max(widest, at[i] - at[i - 1]);
+    return widest < freeSector;
+}
+
 /// Do the samples bear the place, or does the surface go on there?
-bool borne(const SampleSet& set, const Landing& y) {
-    return y.at.offCentre <= set.grown * y.at.unit ||
-           (y.at.offCentre <= set.grownOn * y.at.unit && set.options.goesOn(y.place, y.at.centroid));
+bool borne(const SampleSet& set, const Gap& gap, const Landing& y) {
+    if (y.at.offCentre <= set.grown * y.at.unit)
+        return true;
+    if (!(y.at.offCentre <= set.grownOn * y.at.unit))
+        return false;
+    if (set.options.goesOn)
+        return set.options.goesOn(y.place, y.at.centroid);
+    return between(set, y.place, normalized(y.gradient), betweenReach * set.target[gap.from]);
 }
 
 bool acceptable(const SampleSet& set, const Gap& gap, const Landing& y) {
     const base::Vec3f n = set.normal[gap.from];
     const float stray = fillStray * set.target[gap.from];
     return y.ok && distanceSq(y.place, gap.place) <= stray * stray && y.at.agreement >= leastAgreement &&
-           set.facing.same(n, y.gradient) && borne(set, y);
+           set.facing.same(n, y.gradient) && borne(set, gap, y);
 }
 
 /// Is it clear after a step that nothing will grow there: beyond an open border?

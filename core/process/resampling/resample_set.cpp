@@ -102,7 +102,7 @@ SampleSet::SampleSet(const surface::Surface& v, const tree::Selection& touched, 
     : version(v), frozen(f), options(o), spacing(o.spacing), facing(*v.tree().layout()),
       pinned(o.border > 0 ? o.border : pinnedAt(f.definition().weight)),
       grown(o.border > 0 ? o.border * grownLimit / pinnedLimit : grownLimit * borderScale(f.definition().weight)),
-      grownOn(o.goesOn ? grownOnLimit * borderScale(f.definition().weight) : grown),
+      grownOn(o.goesOn || o.drawnApart ? grownOnLimit * borderScale(f.definition().weight) : grown),
       grid(v.tree().bounds().centre(), fillReach * o.spacing) {
     if (options.support <= 0)
         options.support = supportOf(v.definition(), spacing);

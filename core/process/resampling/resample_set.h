@@ -59,7 +59,7 @@ struct SampleSet {
     float spacing;
     Facing facing;
     /// Off-centre values in units of h from which a place belongs to an open border, and at which nothing grows; the
-    /// last where the surface goes on (ResampleOptions::goesOn).
+    /// last where the surface goes on (ResampleOptions::goesOn), or between others where a stroke drew them apart.
     float pinned, grown, grownOn;
 
     std::vector<base::Vec3f> position, normal;

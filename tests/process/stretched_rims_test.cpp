@@ -1,0 +1,107 @@
+// What draws an open surface out along its rim leaves the rim where it is: there, too, samples come where there is
+// room.
+#include "core/base/random.h"
+#include "core/process/resampling/resample.h"
+#include "process/even_shapes.h"
+#include "support/registry.h"
+
+#include <QTest>
+
+#include <numeric>
+
+class StretchedRimsTest : public QObject {
+    Q_OBJECT
+  private Q_SLOTS:
+    void aRimThatIsDrawnAlongItselfStaysWhole_data();
+    void aRimThatIsDrawnAlongItselfStaysWhole();
+    void aHoleThatIsDrawnWideStaysOpen();
+};
+
+using base::Vec3d;
+
+namespace {
+
+/// An even sheet, spacing 1, `size` long and wide, as jittered as many scans; bent across by `bend` per length. What
+/// is within `hole` of its middle is left out.
+surface::Surface sheet(base::Random& random, const Vec3d& size, double bend, double hole) {
+    surfel::SurfelList out;
+    out.layout = test::orientedLayout();
+    for (double y = 0.5; y < size.y; ++y)
+        for (double x = 0.5; x < size.x; ++x) {
+            const double u = x - size.x / 2 + random.uniform(-0.3, 0.3), v = y - size.y / 2 + random.uniform(-0.3, 0.3);
+            if (std::hypot(u, v) < hole)
+                continue;
+            out.append(test::surfelAt({u, v, bend * v * v}, normalized(Vec3d{0, -2 * bend * v, 1}), 1), {});
+        }
+    return test::surfaceOf(out);
+}
+
+/// As far as a stroke goes before what it has drawn out is resampled, and how often.
+constexpr float drawn = 1.8F;
+constexpr int rounds = 6;
+
+/// Drawn out along x, and resampled each time as under a stroke.
+surface::Surface drawnOut(surface::Surface now) {
+    process::ResampleOptions options;
+    options.spacing = 1;
+    options.sweeps = 2;
+    options.fitRounds = 0;
+    options.drawnApart = [](const surfel::SurfelBlock&, int) { return true; };
+    for (int k = 0; k < rounds; ++k) {
+        surfel::SurfelList list = now.tree().surfels();
+        for (surfel::Surfel& each : list.items)
+            each.position.x *= drawn;
+        const surface::Surface longer(tree::SurfelTree::build(list), now.definition());
+        now = {longer.tree().apply(process::resample(longer, process::selectAll(longer.tree()), options)),
+               longer.definition()};
+    }
+    return now;
+}
+
+} // namespace
+
+void StretchedRimsTest::aRimThatIsDrawnAlongItselfStaysWhole_data() {
+    QTest::addColumn<double>("bend");
+    QTest::newRow("flat") << 0.0;
+    QTest::newRow("bent") << 0.02;
+}
+
+void StretchedRimsTest::aRimThatIsDrawnAlongItselfStaysWhole() {
+    QFETCH(double, bend);
+    base::Random random(test::seed());
+    const surface::Surface now = drawnOut(sheet(random, {6, 16, 0}, bend, 0));
+    // along both rims, in pieces of two spacings: how far out the last sample lies
+    const double half = 3 * std::pow(double(drawn), rounds) - 4;
+    std::vector<double> last[2];
+    for (std::vector<double>& side : last)
+        side.assign(std::size_t(half), 0);
+    double farthest = 0;
+    for (const surfel::Surfel& each : now.tree().surfels().items) {
+        const double x = double(each.position.x), y = double(each.position.y);
+        farthest = std::max(farthest, std::abs(y));
+        if (std::abs(x) < half) {
+            double& most = last[y > 0].at(std::min(std::size_t((x + half) / 2), std::size_t(half) - 1));
+            most = std::max(most, std::abs(y));
+        }
+    }
+    double mean = 0;
+    for (const std::vector<double>& side : last)
+        mean += std::accumulate(side.begin(), side.end(), 0.0) / double(2 * side.size());
+    const QByteArray told = QString("last samples at %1 of 7.5 (%2)").arg(mean).arg(farthest).toUtf8();
+    qInfo("%s", told.constData());
+    QVERIFY2(mean > 7.12 && farthest < 8.4, told);
+}
+
+void StretchedRimsTest::aHoleThatIsDrawnWideStaysOpen() {
+    base::Random random(test::seed());
+    const surface::Surface now = drawnOut(sheet(random, {12, 16, 0}, 0, 4));
+    // an ellipse now: nothing has grown into it farther than its own rim was ragged
+    const double wide = 4 * std::pow(double(drawn), rounds);
+    for (const surfel::Surfel& each : now.tree().surfels().items) {
+        const double at = std::hypot(double(each.position.x) / wide, double(each.position.y) / 4);
+        QVERIFY2(at > 0.7, qPrintable(QString("%1, %2").arg(each.position.x).arg(each.position.y)));
+    }
+}
+
+static const test::Registered<StretchedRimsTest> registered;
+#include "stretched_rims_test.moc"
