@@ -1,6 +1,7 @@
 // run and recover: sessions from files, their outputs, and what a kill leaves.
 #include "demo_session.h"
 #include "program.h"
+#include "support/patience.h"
 #include "support/registry.h"
 #include "support/sanitized.h"
 
@@ -199,6 +200,18 @@ void RunTest::whoWaitsForAPipeCanBeEnded_data() {
                 << QString(command) << written;
 }
 
+/// Has it come to where it hears signals, and does it sleep? To be asked again and again: who starts sleeps at times.
+static bool waits(const QProcess& process) {
+    std::ifstream in("/proc/" + std::to_string(process.processId()) + "/status");
+    bool hears = false, sleeps = false;
+    for (std::string line; std::getline(in, line);) {
+        if (line.starts_with("SigCgt:"))
+            hears = std::stoull(line.substr(7), nullptr, 16) >> (SIGTERM - 1) & 1;
+        sleeps = sleeps || line.starts_with("State:\tS");
+    }
+    return hears && sleeps;
+}
+
 void RunTest::whoWaitsForAPipeCanBeEnded() {
     QFETCH(QString, command);
     QFETCH(bool, written);
@@ -210,7 +223,8 @@ void RunTest::whoWaitsForAPipeCanBeEnded() {
         process.start();
         QVERIFY(process.waitForStarted());
         const int writer = written ? ::open(program.path("pipe").c_str(), O_WRONLY) : -1; // waits for the reader
-        QTest::qWait(test::sanitized ? 3000 : 1000);                                      // until it waits itself
+        QVERIFY(QTest::qWaitFor([at = 0, &process]() mutable { return (at = waits(process) ? at + 1 : 0) > 20; },
+                                test::patience));
         ::kill(static_cast<pid_t>(process.processId()), signal);
         const Outcome outcome = test::outcomeOf(process, 60000);
         if (writer >= 0)
