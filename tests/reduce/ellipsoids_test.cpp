@@ -4,6 +4,7 @@
 #include "core/surfel/shape.h"
 #include "reduce/reduced_models.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <QTest>
 
@@ -47,14 +48,21 @@ void forSupports(const surface::Surface& surface, const Fn& fn) {
     });
 }
 
+/// Of so many in every build: beside rims supports are balls, and of fewer those are most.
+constexpr std::size_t manyOfACylinder = 10000;
+
+const Reduced& ellipsoidsOfACylinder() {
+    static const Reduced made =
+        reduceToCount(test::cylinder(manyOfACylinder).surface, manyOfACylinder / 10, Shapes::Ellipsoids);
+    return made;
+}
+
 } // namespace
 
-/// Of so many in every build: beside rims supports are balls, and of fewer those are most.
 void ReducedEllipsoidsTest::onACylinderTheyHalveTheError() {
-    const std::size_t count = 10000;
-    const Shape shape = test::cylinder(count);
-    const Reduced balls = reduceToCount(shape.surface, count / 10, Shapes::Spheres);
-    const Reduced ellipsoids = reduceToCount(shape.surface, count / 10, Shapes::Ellipsoids);
+    const Shape shape = test::cylinder(manyOfACylinder);
+    const Reduced balls = reduceToCount(shape.surface, manyOfACylinder / 10, Shapes::Spheres);
+    const Reduced& ellipsoids = ellipsoidsOfACylinder();
     const QByteArray all = told(balls) + " | " + told(ellipsoids);
     qInfo("%s", all.constData());
     QVERIFY(!balls.report.ellipsoids && ellipsoids.report.ellipsoids);
@@ -70,8 +78,7 @@ void ReducedEllipsoidsTest::onACylinderTheyHalveTheError() {
 }
 
 void ReducedEllipsoidsTest::onACylinderTheyLieAlongIt() {
-    const std::size_t count = 10000;
-    const Reduced result = reduceToCount(test::cylinder(count).surface, count / 10, Shapes::Ellipsoids);
+    const Reduced& result = ellipsoidsOfACylinder();
     int all = 0, along = 0;
     forSupports(result.surface, [&](const Vec3f& p, const Vec3f& n, float, const Vec3f& b) {
         QVERIFY(std::abs(dot(b, n)) < 1e-4f && surfel::aspectOf(b) <= 1.001f * surfel::mostAspect);
@@ -84,8 +91,8 @@ void ReducedEllipsoidsTest::onACylinderTheyLieAlongIt() {
 }
 
 void ReducedEllipsoidsTest::autoTakesWhatWins() {
-    const std::size_t count = 8000;
-    QVERIFY(shaped(reduceToCount(test::cylinder(count).surface, count / 10, Shapes::Auto).surface));
+    QVERIFY(shaped(reduceToCount(test::cylinder(8000).surface, 800, Shapes::Auto).surface));
+    const std::size_t count = test::sanitized ? 4000 : 8000;
     // Whether or not the other is made as well, it is one of the two, to the bit.
     for (const bool round : {true, false}) {
         const Shape shape = round ? test::sphere(count) : test::torus(count);

@@ -4,6 +4,7 @@
 #include "core/session/session_file.h"
 #include "reach.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "ui/panels/tool_bar.h"
 #include "ui/window/status_line.h"
 #include "window_fixture.h"
@@ -72,7 +73,7 @@ void SculptingTest::everyToolMovesPointsAndUndoBringsTheHashBack() {
 
 void SculptingTest::recordedSessionReplaysToTheSameHashWithoutAWindow() {
     WindowFixture f;
-    QVERIFY(f.make("sphere", 6000));
+    QVERIFY(f.make("sphere", test::sanitized ? 2500 : 6000));
     f.window->settings().shared.symmetry.planes = {true, false, false};
     int k = 0;
     for (QAction* tool : f.window->toolBar().toolActions()) {
