@@ -3,7 +3,10 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/cells/labels.h"
 #include "core/process/resampling/point_grid.h"
+#include "core/solid/hollow_edges.h"
+#include "core/solid/side.h"
 #include "core/surface/projection/project.h"
 
 #include <numbers>
@@ -29,7 +32,10 @@ struct Place {
 class InnerWall {
   public:
     InnerWall(const surface::Surface& model, double thickness)
-        : m_model(model), m_thickness(thickness), m_grid(model.tree().bounds().lo, cellOf(model)) {}
+        : m_model(model), m_thickness(thickness), m_grid(model.tree().bounds().lo, cellOf(model)) {
+        if (cells::LabelLayout::of(*model.tree().layout()))
+            m_sharp.emplace(model);
+    }
 
     surfel::SurfelList made(const base::Progress& progress) {
         const surfel::SurfelList outer = m_model.tree().surfels();
@@ -68,6 +74,15 @@ class InnerWall {
         return std::max(1e-5F * model.tree().bounds().diagonal(),
                         0.75F * *middle * static_cast<float>(surface::spacingOfUnit));
     }
+    /// The nearest place of the outer wall. Rounded edges would turn the inner wall beside them.
+    SideFoot onWall(const Vec3d& x) const {
+        if (m_sharp)
+            return m_sharp->foot(x);
+        const surface::Projection<float> found = surface::project(m_model, base::cast<float>(x));
+        if (!found.ok())
+            return {};
+        return {base::cast<double>(found.foot), 0, normalized(base::cast<double>(found.at.gradient)), true};
+    }
     /// The nearest place of the surface of that depth: along the way from the foot on the outer wall. Nothing outside,
     /// or where another part of the wall is nearer.
     std::optional<Place> atDepth(Vec3d x) const {
@@ -75,15 +90,13 @@ class InnerWall {
         std::vector<tree::Neighbour> near;
         Place out;
         for (int step = 0; step < steps; ++step) {
-            const surface::Projection<float> foot = surface::project(m_model, base::cast<float>(x));
-            if (!foot.ok())
+            const SideFoot wall = onWall(x);
+            if (!wall.ok)
                 return {};
-            const Vec3d onWall = base::cast<double>(foot.foot),
-                        outwards = normalized(base::cast<double>(foot.at.gradient));
-            const Vec3d next = onWall - outwards * m_thickness;
+            const Vec3d next = wall.foot - wall.gradient * m_thickness;
             const double moved = distance(next, x);
             x = next;
-            out.inwards = -outwards;
+            out.inwards = -wall.gradient;
             if (moved < 1e-3 * m_thickness)
                 break;
         }
@@ -151,6 +164,7 @@ class InnerWall {
     }
 
     const surface::Surface& m_model;
+    std::optional<SurfaceSide> m_sharp; ///< where the model has labels
     double m_thickness;
     process::PointGrid m_grid;
     std::vector<Place> m_places;
@@ -162,14 +176,13 @@ Combined hollowed(const surface::Surface& model, double thickness, const base::P
     if (model.definition().manifold != surface::Manifold::Surface || !model.tree().layout()->oriented)
         throw base::Error("only a solid whose normals point outwards can be made hollow", "hollow",
                           "orient the normals first");
-    tree::Edit edit;
-    edit.inserted = InnerWall(model, thickness).made(progress);
-    if (edit.inserted.size() < 4)
+    surfel::SurfelList inner = InnerWall(model, thickness).made(progress);
+    if (inner.size() < 4)
         throw base::Error("no place of the model is deep enough for walls of that thickness", "hollow",
                           "make them thinner");
     Combined out;
-    out.inserted = edit.inserted.size();
-    out.surface = {model.tree().apply(edit), model.definition()};
+    out.inserted = inner.size();
+    out.surface = withInnerWall(model, std::move(inner));
     progress.step(1, "Growing the inner wall");
     return out;
 }
