@@ -211,11 +211,6 @@ void FacesCommandTest::creasesAreKeptAndAnswer() {
         }
     }
     // who asks for what is not there is told
-    QCOMPARE(program
-                 .run({"query", "cube.obj", "--sample-count", "3000", "--sharp", "off", "--at", "p.txt", "--what",
-                       "cell", "-o", "q.csv"})
-                 .code,
-             2);
     QCOMPARE(program.run({"info", "cube.obj", "--creases", "on", "--faces", "vertices"}).code, 1);
     QCOMPARE(program.run({"info", "cube.obj", "--creases", "on", "--sharp", "off"}).code, 1);
     QCOMPARE(program.run({"info", "out.ply", "--creases", "on"}).code, 1);
