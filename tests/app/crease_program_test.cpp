@@ -67,15 +67,14 @@ void CreaseProgramTest::withoutCellsAllIsOneFace() {
     writePoints(program, 24);
     program.write("p.txt", "1.01 0.5 0.5\n9 9 9\n");
     for (const char* precision : {"float", "double"}) {
-        const Outcome asked = program.run({"query", "cube.xyz", "--at", "p.txt", "--what", "cell,feature",
-                                           "--precision", precision, "-o", "q.csv"});
+        const Outcome asked = program.run(
+            {"query", "cube.xyz", "--at", "p.txt", "--what", "cell,feature", "--precision", precision, "-o", "q.csv"});
         QVERIFY2(asked.code == 0, asked.err.c_str());
         const std::string answers = program.read("q.csv");
         QVERIFY2(answers.find(",ok,0,face\n") != std::string::npos, answers.c_str());
         QVERIFY2(answers.find(",outside,-1,") != std::string::npos, answers.c_str());
     }
-    QCOMPARE(program
-                 .run({"query", "cube.xyz", "--at", "p.txt", "--what", "cell", "--manifold", "curve", "-o", "q.csv"})
+    QCOMPARE(program.run({"query", "cube.xyz", "--at", "p.txt", "--what", "cell", "--manifold", "curve", "-o", "q.csv"})
                  .code,
              2);
 }
