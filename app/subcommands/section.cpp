@@ -57,7 +57,8 @@ void tellLevels(const std::vector<Level>& levels) {
             closed = closed && curve.closed;
             area += curve.closed ? curve.area(level.plane) : 0;
         }
-        std::cout << "height " << level.height << ": " << level.curves.size() << " curves, length " << length;
+        std::cout << "height " << level.height << ": " << level.curves.size()
+                  << (level.curves.size() == 1 ? " curve, length " : " curves, length ") << length;
         if (closed && !level.curves.empty())
             std::cout << ", area " << area;
         std::cout << '\n';

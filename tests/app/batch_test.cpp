@@ -265,7 +265,7 @@ void BatchTest::contoursAreLevel() {
     }
     QCOMPARE(levels, (std::set<int>{-4, -3, -2, -1, 0, 1, 2, 3})); // from -0.9 to 0.85
     QCOMPARE(std::count(outcome.out.begin(), outcome.out.end(), '\n'), std::ptrdiff_t(8));
-    QVERIFY(outcome.out.starts_with("height -0.9: 1 curves, length 2.7"));
+    QVERIFY(outcome.out.starts_with("height -0.9: 1 curve, length 2.7"));
     // Level ones from height 0 without a plane; the sample stands with y upwards. In drawings, too.
     for (const char* file : {"c.dxf", "c.svg", "c.obj"})
         QCOMPARE(program.run({"section", "sample:sphere:4000", "--every", "0.3", "-o", file}).code, 0);

@@ -35,7 +35,7 @@ class CommandTest : public QObject {
     void everySampleCanBeMade();
     void surfaceChangesWhatItNames();
     void resampleReachesTheSpacing();
-    void spacingsAboveTheModelsSizeAreRefused();
+    void spacingsAsWideAsTheModelAreRefusedOrTold();
     void expectEndsASessionThatWentAstray();
 };
 
@@ -314,15 +314,19 @@ void CommandTest::surfaceChangesWhatItNames() {
     QVERIFY(!bench.document.modified());
 }
 
-void CommandTest::spacingsAboveTheModelsSizeAreRefused() {
+void CommandTest::spacingsAsWideAsTheModelAreRefusedOrTold() {
     Workbench bench;
     bench.run(test::newSphere(1000));
     const std::string before = bench.hash();
-    for (const double spacing : {3.0, 1e4}) {
-        const std::string told = bench.refusal({{"op", "resample"}, {"spacing", spacing}});
-        QVERIFY2(told.find("at least 4 points") != std::string::npos, told.c_str());
-    }
+    const std::string atLeast = bench.refusal({{"op", "resample"}, {"spacing", 3.0}}),
+                      wider = bench.refusal({{"op", "resample"}, {"spacing", 1e4}});
+    QVERIFY2(atLeast.find("at least 4 points") != std::string::npos, atLeast.c_str());
+    QVERIFY2(wider.find("wider than the model") != std::string::npos, wider.c_str());
     QCOMPARE(bench.hash(), before);
+    bench.context.messages.clear();
+    bench.run({{"op", "resample"}, {"spacing", 0.5}});
+    QVERIFY(bench.size() < 100 && !bench.context.messages.empty());
+    QVERIFY(bench.context.messages[0].starts_with(std::to_string(bench.size()) + " of "));
 }
 
 void CommandTest::resampleReachesTheSpacing() {

@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/base/short_number.h"
 #include "core/cells/measured_labels.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/resampling/resample.h"
@@ -21,6 +22,10 @@ static process::ResampleResult resampled(const Context& context, const nlohmann:
     if (!bySpacing && !(tolerance > 0))
         throw base::Error("\"resample\" needs a \"spacing\", a \"count\" or a \"tolerance\"", {}, "give one of them");
     const float spacing = bySpacing ? complete.at("spacing").get<float>() : process::typicalSpacing(surface.tree());
+    if (const float size = surface.tree().bounds().diagonal(); spacing > size)
+        throw base::Error("a spacing of " + base::shortNumber(static_cast<double>(spacing)) +
+                              " is wider than the model, " + base::shortNumber(static_cast<double>(size)),
+                          "resample", "choose one that is well below the size of the model");
     if (!(tolerance > 0))
         return process::resampleAll(surface, spacing, 12, context.progress, fit);
     const process::CurvatureSpacing by{tolerance, spacing * complete.at("finest").get<float>(),
@@ -39,6 +44,11 @@ static void resample(Context& context, const nlohmann::json& complete) {
         throw base::Error("a surface needs at least " + std::to_string(least) + " points, and that spacing leaves " +
                               std::to_string(left),
                           "resample", "choose one that is well below the size of the model");
+    constexpr std::size_t few = 100; // shapes of so few points are hardly those that there were
+    if (const std::size_t before = context.document.surface().tree().size(), left = result.surface.tree().size();
+        left < few && left < before)
+        context.messages.push_back(std::to_string(left) + " of " + std::to_string(before) +
+                                   " points are left: that spacing is wide for this model");
     if (!result.settled)
         context.messages.push_back("resampling stopped after " + std::to_string(result.rounds) +
                                    " rounds, before the last points came to rest");
