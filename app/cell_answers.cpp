@@ -37,8 +37,9 @@ void CellAnswers::answer(const Question& question, std::span<const Vec3d> x, std
                 const cells::CellFoot foot = project(m_surface, x[i], {*question.projector});
                 if (foot.mixed)
                     a.projection = foot.projection;
+                a.feature = foot.feature;
             }
-            if (question.feature)
+            if (question.feature && question.projector != surface::Projector::Orthogonal)
                 a.feature = project(m_surface, x[i]).feature;
         }
     });

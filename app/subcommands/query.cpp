@@ -91,12 +91,15 @@ void answerAsOneCell(const Surface& surface, const Question& question, std::span
             each.cell = 0;
     if (!question.feature)
         return;
-    Question foot;
-    foot.projector = surface::Projector::Orthogonal;
-    std::vector<Answer> feet(x.size());
-    (inDouble ? answerInDouble : answerInFloat)(surface, foot, x, feet);
+    std::vector<Answer> feet;
+    if (question.projector != surface::Projector::Orthogonal) { // else they are known
+        Question foot;
+        foot.projector = surface::Projector::Orthogonal;
+        feet.resize(x.size());
+        (inDouble ? answerInDouble : answerInFloat)(surface, foot, x, feet);
+    }
     for (std::size_t i = 0; i < x.size(); ++i)
-        if (feet[i].projection.status == surface::Status::Ok)
+        if ((feet.empty() ? out : std::span(feet))[i].projection.status == surface::Status::Ok)
             out[i].feature = cells::Feature::Face;
 }
 

@@ -31,6 +31,10 @@ struct Label {
     std::uint32_t face = 0;
 
     bool operator==(const Label&) const = default;
+    /// With numbers that begin at `offset`.
+    Label shifted(std::uint32_t offset) const {
+        return {cell + offset, partner + offset, meeting, sharpness, face + offset};
+    }
 };
 
 /// Where the labels of a model's surfels are.

@@ -212,7 +212,7 @@ class Combining {
 
     /// The operand's own label among the model's.
     Label moved(Label label) const {
-        label.cell += m_offset, label.partner += m_offset, label.face += m_offset;
+        label = label.shifted(m_offset);
         if (m_faces)
             label.face = m_faces->of(label.face);
         if (m_operation == Operation::Difference)

@@ -66,10 +66,8 @@ surface::Surface withInnerWall(const surface::Surface& model, surfel::SurfelList
     Translation translation(*all.layout, *whole.layout());
     edit.inserted.layout = whole.layout();
     for (std::size_t i = 0; i < all.size(); ++i) {
-        Label label = own->at(all.extraOf(i));
-        label.cell += offset, label.partner += offset, label.face += offset;
         const std::span<std::uint32_t> words = translation(all.extraOf(i));
-        writeLabel(*whole.layout(), label, words);
+        writeLabel(*whole.layout(), own->at(all.extraOf(i)).shifted(offset), words);
         edit.inserted.append(all.items[i], words);
     }
     return {whole.apply(edit), model.definition()};

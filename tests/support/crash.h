@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// Under a sanitizer it prints the stack itself (sanitizer_options in crash.cpp); else gdb does where there is one, and
+/// Under a sanitizer it prints the stack itself (handle_abort in crash.cpp); else gdb does where there is one, and
 /// has a minute for it. The program then ends by the signal that it got.
 void tellCrashes();
 

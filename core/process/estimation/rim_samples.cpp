@@ -1,6 +1,7 @@
 #include "core/process/estimation/rim_samples.h"
 
 #include "core/base/parallel.h"
+#include "core/process/estimation/widest_gap.h"
 #include "core/surface/projection/project.h"
 
 #include <algorithm>
@@ -36,13 +37,7 @@ float angularGap(const tree::SurfelTree& tree, const base::Vec3f& x, const base:
                 angles.push_back(std::atan2(b, a));
         }
     });
-    if (angles.empty())
-        return 2 * pi;
-    std::sort(angles.begin(), angles.end());
-    float gap = angles.front() + 2 * pi - angles.back();
-    for (std::size_t i = 1; i < angles.size(); ++i)
-        gap = std::max(gap, angles[i] - angles[i - 1]);
-    return gap;
+    return widestGap(angles);
 }
 
 } // namespace

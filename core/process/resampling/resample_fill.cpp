@@ -1,11 +1,11 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
+#include "core/process/estimation/widest_gap.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/process/resampling/resample_set.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace process {
@@ -62,13 +62,7 @@ bool between(const SampleSet& set, const base::Vec3f& x, const base::Vec3f& n, f
         if (!set.is(e.index, Gone) && dot(d, d) < radius * radius && set.facing.same(n, set.normal[e.index]))
             at.push_back(std::atan2(dot(d, v), dot(d, u)));
     });
-    if (at.size() < 3)
-        return false;
-    std::sort(at.begin(), at.end());
-    float widest = at.front() + 2 * std::numbers::pi_v<float> - at.back();
-    for (std::size_t i = 1; i < at.size(); ++i)
-        widest = std::max(widest, at[i] - at[i - 1]);
-    return widest < freeSector;
+    return at.size() >= 3 && widestGap(at) < freeSector;
 }
 
 /// Do the samples bear the place, or does the surface go on there?

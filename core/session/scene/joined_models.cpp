@@ -66,8 +66,8 @@ static std::vector<cells::Label> labelsOf(const std::vector<SceneModel>& models,
     std::uint32_t next = 0;
     for (const SceneModel& model : models) {
         const std::uint32_t offset = next;
-        for (cells::Label label : cells::labelsOf(model.surface.tree())) {
-            label.cell += offset, label.partner += offset, label.face += offset;
+        for (const cells::Label& own : cells::labelsOf(model.surface.tree())) {
+            const cells::Label label = own.shifted(offset);
             next = std::max({next, label.cell + 1, label.partner + 1, label.face + 1});
             out.push_back(label);
         }
