@@ -1,5 +1,6 @@
 #include "core/cells/cell_projection.h"
 
+#include "core/base/ranked.h"
 #include "core/cells/feet.h"
 #include "core/cells/local_boolean.h"
 #include "core/surface/rays/intersect.h"
@@ -90,8 +91,8 @@ class CellProjector {
         std::vector<double> distances;
         for (const auto& each : starts)
             distances.push_back(each.second.distance);
-        std::nth_element(distances.begin(), distances.begin() + mostStarts, distances.end());
-        std::erase_if(starts, [&](const auto& each) { return each.second.distance >= distances[mostStarts]; });
+        const double farthest = base::ranked(distances, mostStarts);
+        std::erase_if(starts, [&](const auto& each) { return each.second.distance >= farthest; });
     }
     void note(const Vec3d& p, const Label& label, double support) {
         const Start start{p, base::distance(p, m_x), support * surface::spacingOfUnit};

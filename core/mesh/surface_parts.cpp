@@ -2,6 +2,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
+#include "core/base/ranked.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,10 +119,8 @@ std::uint32_t numberParts(const surfel::SurfelList& surfels, std::vector<std::ui
     };
     std::vector<Set> large;
     for (auto& [root, all] : supports) {
-        const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-        std::nth_element(all.begin(), middle, all.end());
         if (all.size() >= fewestOfPart)
-            large.push_back({*middle, root, all.size()});
+            large.push_back({base::median(all), root, all.size()});
     }
     if (large.empty())
         return 1;

@@ -2,7 +2,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
-#include "core/process/cleaning/spread.h"
+#include "core/base/ranked.h"
 
 #include <algorithm>
 #include <numbers>
@@ -119,7 +119,7 @@ class Probes {
         for (const Probe& p : probes)
             if (p.error >= 0)
                 errors.push_back(p.error);
-        const double typical = process::middleOf(errors), typicalUnit = process::middleOf(units);
+        const double typical = base::median(errors), typicalUnit = base::median(units);
         const double least = std::max(leastOfMedian * typical, leastOfSpacing / std::sqrt(ratio));
         const double reference = std::hypot(typical, least);
         m_log.resize(n);

@@ -1,7 +1,7 @@
 #include "core/reduce/density_by_result.h"
 
 #include "core/base/parallel.h"
-#include "core/process/cleaning/spread.h"
+#include "core/base/ranked.h"
 #include "core/reduce/coverage.h"
 #include "core/reduce/density.h"
 #include "core/surface/evaluation/packets.h"
@@ -149,7 +149,7 @@ std::vector<float> sharesByResult(const Places& places, const Sites& sites, std:
         *foreseen = foreseenFrom(squares.between, places);
     std::vector<double> log = std::move(squares.wanted), sums = log;
     const double mean = std::accumulate(log.begin(), log.end(), 0.0) / static_cast<double>(log.size());
-    const double typical = std::max({process::middleOf(sums), leastOfMean * mean, 1e-300});
+    const double typical = std::max({base::median(sums), leastOfMean * mean, 1e-300});
     for (double& each : log)
         each = std::log(std::max(each / typical, least));
     for (int k = 0; k < smoothings; ++k)

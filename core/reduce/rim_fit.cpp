@@ -1,6 +1,7 @@
 #include "core/reduce/rim_fit.h"
 
 #include "core/base/parallel.h"
+#include "core/base/ranked.h"
 #include "core/reduce/density.h"
 #include "core/reduce/fit.h"
 #include "core/reduce/fit_steps.h"
@@ -121,9 +122,7 @@ std::vector<double> offCentres(std::span<const base::Vec3f> points, std::span<co
 
 double middleOff(const Rims& rims, bool oriented, const Sites& sites) {
     std::vector<double> off = offCentres(rims.position, rims.normal, oriented, sites, mostLimit);
-    const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-    std::nth_element(off.begin(), middle, off.end());
-    return std::clamp(*middle, leastLimit, mostLimit);
+    return std::clamp(base::median(off), leastLimit, mostLimit);
 }
 
 void fitEnds(const RimRows& asked, bool oriented, double limit, std::span<const std::uint8_t> held, Sites& sites) {

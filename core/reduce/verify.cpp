@@ -1,5 +1,6 @@
 #include "core/reduce/verify.h"
 
+#include "core/base/ranked.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/surface/projection/project.h"
 #include "core/surfel/shape.h"
@@ -39,10 +40,8 @@ void forFeet(const surface::Surface& surface, std::span<const base::Vec3f> from,
 void setExtremes(std::vector<float>& distances, Report& report) {
     if (distances.empty())
         return;
-    const auto at = distances.begin() + static_cast<std::ptrdiff_t>(0.999 * double(distances.size() - 1));
-    std::nth_element(distances.begin(), at, distances.end());
-    report.p999 = double(*at);
-    report.max = double(*std::max_element(at, distances.end()));
+    report.p999 = double(base::quantile(distances, 0.999));
+    report.max = double(std::ranges::max(distances));
 }
 
 /// Samples of the model to the surface.

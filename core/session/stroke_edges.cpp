@@ -1,6 +1,7 @@
 #include "core/session/stroke_edges.h"
 
 #include "core/base/error.h"
+#include "core/base/ranked.h"
 #include "core/base/segment.h"
 #include "core/cells/creases/draw_crease.h"
 #include "core/cells/creases/fade_creases.h"
@@ -50,8 +51,7 @@ class Crest {
                     near.push_back(all[k].offset);
             if (near.empty())
                 continue;
-            std::nth_element(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2), near.end());
-            const Vec3d x = way[i] + all[i].side * near[near.size() / 2];
+            const Vec3d x = way[i] + all[i].side * base::median(near);
             if (const auto foot = footOf(x, all[i].normal))
                 out.push_back(base::cast<double>(foot->first));
         }

@@ -3,6 +3,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/base/ranked.h"
 #include "core/cells/labels.h"
 #include "core/process/resampling/point_grid.h"
 #include "core/solid/hollow_edges.h"
@@ -69,10 +70,8 @@ class InnerWall {
         std::vector<float> supports;
         model.tree().forEachBlock(
             [&](std::uint32_t, const surfel::SurfelBlock& block) { supports.push_back(block.maxSupport()); });
-        const auto middle = supports.begin() + static_cast<std::ptrdiff_t>(supports.size() / 2);
-        std::nth_element(supports.begin(), middle, supports.end());
         return std::max(1e-5F * model.tree().bounds().diagonal(),
-                        0.75F * *middle * static_cast<float>(surface::spacingOfUnit));
+                        0.75F * base::median(supports) * static_cast<float>(surface::spacingOfUnit));
     }
     /// The nearest place of the outer wall. Rounded edges would turn the inner wall beside them.
     SideFoot onWall(const Vec3d& x) const {

@@ -2,6 +2,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
+#include "core/base/ranked.h"
 #include "core/process/cleaning/list_change.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/solid/link_creases.h"
@@ -58,11 +59,7 @@ class Seam {
             if (way > 0)
                 all.push_back(turn(i, j) / way);
         });
-        if (all.empty())
-            return 0;
-        const auto own = all.begin() + static_cast<std::ptrdiff_t>(0.55 * static_cast<double>(all.size()));
-        std::ranges::nth_element(all, own);
-        return *own;
+        return base::ranked(all, static_cast<std::size_t>(0.55 * static_cast<double>(all.size())));
     }
 
     const cells::SurfelLinks& m_links;

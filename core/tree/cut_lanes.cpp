@@ -5,6 +5,7 @@
 #include "core/base/instruction_sets.h"
 
 #include "core/base/box.h"
+#include "core/base/ranked.h"
 #include "core/surfel/surfel_block.h"
 
 #include <hwy/foreach_target.h>
@@ -169,9 +170,7 @@ class Cutter {
         for (std::size_t i = begin; i < end; ++i)
             if (m_axis[cut.axis][i] == cut.value)
                 sources.push_back(m_source[i]);
-        const auto at = sources.begin() + static_cast<std::ptrdiff_t>(wanted);
-        std::nth_element(sources.begin(), at, sources.end());
-        return *at;
+        return base::ranked(sources, wanted);
     }
 
     /// The value with `k` of the first `n` before it in their order.

@@ -2,6 +2,7 @@
 
 #include "core/base/mat3.h"
 #include "core/base/parallel.h"
+#include "core/base/ranked.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,9 +67,7 @@ double noiseOf(const SurfelLinks& links, const std::vector<Plane>& planes) {
         const double s = links.spacing(static_cast<std::uint32_t>(i));
         spreads[i] = planes[i].spread / (s * s);
     }
-    const auto quartile = spreads.begin() + static_cast<std::ptrdiff_t>(spreads.size() / 4);
-    std::nth_element(spreads.begin(), quartile, spreads.end());
-    return std::sqrt(*quartile);
+    return std::sqrt(base::ranked(spreads, spreads.size() / 4));
 }
 
 /// The normal of that neighbour whose plane passes the point and fits its own neighbours best. Its side is the

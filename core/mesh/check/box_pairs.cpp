@@ -2,6 +2,7 @@
 
 #include "core/base/cancel_scope.h"
 #include "core/base/parallel.h"
+#include "core/base/ranked.h"
 
 #include <algorithm>
 #include <numeric>
@@ -76,9 +77,7 @@ class BoxTree {
             middles.push_back(m_boxes[b].centre()[k]);
             mean += middles.back() / static_cast<double>(part.boxes.size());
         }
-        const auto median = middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2);
-        std::nth_element(middles.begin(), median, middles.end());
-        for (const double at : {*median, mean})
+        for (const double at : {base::median(middles), mean})
             if (auto [low, high] = halves(part, k, at); ends(part, low, high)) {
                 part.boxes = {};
                 halve(std::move(low));

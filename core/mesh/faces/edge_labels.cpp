@@ -1,5 +1,6 @@
 #include "core/mesh/faces/edge_labels.h"
 
+#include "core/base/ranked.h"
 #include "core/mesh/faces/face_creases.h"
 #include "core/mesh/faces/figures.h"
 
@@ -34,11 +35,8 @@ static std::vector<double> spacingsOfPieces(const FaceTopology& topology, const 
     for (std::size_t i = 0; i < points.size(); ++i)
         all[topology.pieces[points[i].triangle]].push_back(spacings[i]);
     std::vector<double> out;
-    for (std::vector<double>& each : all) {
-        const auto middle = each.begin() + static_cast<std::ptrdiff_t>(each.size() / 2);
-        std::nth_element(each.begin(), middle, each.end());
-        out.push_back(each.empty() ? 0 : *middle);
-    }
+    for (std::vector<double>& each : all)
+        out.push_back(base::median(each));
     return out;
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/box.h"
 #include "core/base/cancel_scope.h"
 #include "core/base/disjoint_sets.h"
+#include "core/base/ranked.h"
 #include "core/cells/crease_labels.h"
 #include "core/mesh/faces/crease_bands.h"
 #include "core/mesh/faces/near_sheets.h"
@@ -244,12 +245,6 @@ std::vector<SharpEdge> edgesNear(std::span<const SharpEdge> edges, std::span<con
     return out;
 }
 
-double medianOf(std::vector<double> all) {
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-    std::nth_element(all.begin(), middle, all.end());
-    return *middle;
-}
-
 /// By piece, and within it from fine to coarse: where bodies of a scene touch, one piece is sampled at many spacings.
 std::vector<AlikeSamples> alike(const FaceTopology& topology, std::span<const FacePoint> points,
                                 std::span<const double> spacings) {
@@ -260,7 +255,7 @@ std::vector<AlikeSamples> alike(const FaceTopology& topology, std::span<const Fa
         std::vector<double> all;
         for (const std::uint32_t i : samples)
             all.push_back(spacings[i]);
-        return medianOf(std::move(all));
+        return base::median(all);
     };
     std::vector<AlikeSamples> out;
     for (std::uint32_t piece = 0; piece < ofPieces.size(); ++piece) {

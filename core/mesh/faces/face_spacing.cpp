@@ -1,5 +1,7 @@
 #include "core/mesh/faces/face_spacing.h"
 
+#include "core/base/ranked.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -42,12 +44,6 @@ std::vector<float> vertexSpacings(const FaceTopology& topology, std::span<const 
     return out;
 }
 
-static float quantile(std::vector<float>& values, double share) {
-    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[static_cast<std::size_t>(at)];
-}
-
 bool sampleWell(const FaceTopology& topology, std::span<const Vec3f> positions) {
     std::vector<float> edges, spacings, turns = topology.turns;
     for (const Triangle& f : topology.triangles)
@@ -59,8 +55,9 @@ bool sampleWell(const FaceTopology& topology, std::span<const Vec3f> positions) 
     if (spacings.empty() || turns.empty())
         return false;
     const double samples = std::sqrt(topology.area / leastCount);
-    return static_cast<double>(quantile(edges, 0.5)) < coarsestEdges * samples && topology.sharpShare < mostSharp &&
-           quantile(turns, 0.95) < 2 * resolvedTurn && quantile(spacings, 0.95) < 2.5f * quantile(spacings, 0.05);
+    return static_cast<double>(base::quantile(edges, 0.5)) < coarsestEdges * samples &&
+           topology.sharpShare < mostSharp && base::quantile(turns, 0.95) < 2 * resolvedTurn &&
+           base::quantile(spacings, 0.95) < 2.5f * base::quantile(spacings, 0.05);
 }
 
 bool hasBlades(const FaceTopology& topology, std::span<const SharpEdge> edges) {

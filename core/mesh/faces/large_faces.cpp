@@ -1,5 +1,6 @@
 #include "core/mesh/faces/large_faces.h"
 
+#include "core/base/ranked.h"
 #include "core/mesh/faces/face_spacing.h"
 #include "core/mesh/faces/sample_grid.h"
 
@@ -22,9 +23,7 @@ std::vector<FacePoint> pointsOnLargeFaces(const FaceTopology& topology, std::spa
             spacings.push_back(s);
     if (spacings.empty())
         return {};
-    const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-    std::nth_element(spacings.begin(), middle, spacings.end());
-    const auto spacing = static_cast<double>(*middle);
+    const auto spacing = static_cast<double>(base::median(spacings));
     FaceTopology large; // what the sampling looks at
     std::vector<std::uint32_t> number;
     for (std::uint32_t t = 0; t < topology.triangles.size(); ++t) {

@@ -1,5 +1,6 @@
 #include "core/process/cleaning/denoise.h"
 
+#include "core/base/ranked.h"
 #include "core/process/cleaning/crease_sides.h"
 #include "core/process/cleaning/local_quadric.h"
 #include "core/process/cleaning/spread.h"
@@ -94,9 +95,9 @@ NoiseLevel estimateNoise(const Cloud& cloud, const base::Progress& progress) {
         std::vector<double> sizes{residual[i]};
         for (const std::uint32_t j : near.index)
             sizes.push_back(residual[j]);
-        out.at[i] = static_cast<float>(deviationOverMad * middleOf(sizes));
+        out.at[i] = static_cast<float>(deviationOverMad * base::median(sizes));
     });
-    out.middle = deviationOverMad * middleOf(residual);
+    out.middle = deviationOverMad * base::median(residual);
     return out;
 }
 

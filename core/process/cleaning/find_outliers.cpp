@@ -1,6 +1,7 @@
 #include "core/process/cleaning/find_outliers.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/ranked.h"
 #include "core/process/cleaning/local_quadric.h"
 #include "core/process/cleaning/mutual_spacing.h"
 #include "core/process/cleaning/spread.h"
@@ -210,8 +211,8 @@ Flags bySurface(const Cloud& cloud, double limit, const base::Progress& progress
             sizes.push_back(std::abs(residual[graph.index[e]]));
         for (const std::uint32_t k : others)
             spacings.push_back(static_cast<double>(own[graph.index[i * graph.count + k]]));
-        const double noise = deviationOverMad * middleOf(sizes);
-        out[i] = std::abs(residual[i]) > std::max(limit * noise, least * middleOf(spacings));
+        const double noise = deviationOverMad * base::median(sizes);
+        out[i] = std::abs(residual[i]) > std::max(limit * noise, least * base::median(spacings));
     });
     return out;
 }

@@ -1,5 +1,6 @@
 #include "core/process/cleaning/mixed_pixels.h"
 
+#include "core/base/ranked.h"
 #include "core/process/cleaning/eye_view.h"
 #include "core/process/cleaning/spread.h"
 #include "core/process/estimation/part_progress.h"
@@ -34,17 +35,13 @@ double unevenness(Sights sights) {
         for (std::size_t k = j + 1; k < ring.size(); ++k)
             if (opposite(ring[j], ring[k]))
                 over.push_back(std::abs(ring[j].w + ring[k].w - 2) / std::sqrt(6.0));
-    return deviationOverMad * middleOf(over);
+    return deviationOverMad * base::median(over);
 }
 
 /// Noise is what the quieter ones around have: where beams are wide, most of them may be uneven. Reorders.
 double noiseOf(std::vector<double>& unevenness) {
     constexpr double middleOverFifth = 1.3;
-    if (unevenness.empty())
-        return 0;
-    const auto fifth = unevenness.begin() + static_cast<std::ptrdiff_t>(unevenness.size() / 5);
-    std::nth_element(unevenness.begin(), fifth, unevenness.end());
-    return middleOverFifth * *fifth;
+    return middleOverFifth * base::ranked(unevenness, unevenness.size() / 5);
 }
 
 /// What lies along lines across the point.

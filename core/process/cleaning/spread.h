@@ -1,9 +1,9 @@
 // The middle of numbers and how far they spread about it, whatever a minority of them is.
 #pragma once
 
-#include <algorithm>
+#include "core/base/ranked.h"
+
 #include <cmath>
-#include <span>
 #include <vector>
 
 namespace process {
@@ -13,25 +13,16 @@ inline constexpr double deviationOverMad = 1.4826;
 /// Standard deviations at which Tukey's biweight is zero: 95 % as efficient as least squares where nothing is wrong.
 inline constexpr double robustReach = 4.685;
 
-/// The upper one of two middles; 0 of none. Reorders.
-inline double middleOf(std::span<double> values) {
-    if (values.empty())
-        return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 struct Spread {
     double median = 0, deviation = 0;
 };
 
 inline Spread spreadOf(std::vector<double> values) {
     Spread out;
-    out.median = middleOf(values);
+    out.median = base::median(values);
     for (double& v : values)
         v = std::abs(v - out.median);
-    out.deviation = deviationOverMad * middleOf(values);
+    out.deviation = deviationOverMad * base::median(values);
     return out;
 }
 

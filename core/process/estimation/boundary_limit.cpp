@@ -1,5 +1,6 @@
 #include "core/process/estimation/boundary_limit.h"
 
+#include "core/base/ranked.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/rim_runs.h"
 #include "core/surface/rims.h"
@@ -55,11 +56,7 @@ std::vector<float> offCentres(std::span<const RimSample> samples) {
 
 /// What one in `rare` exceeds, by the 99 % quantile.
 float rarelyExceeded(std::vector<float> values, double factor) {
-    if (values.empty())
-        return 0;
-    const auto quantile = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 99 / 100);
-    std::nth_element(values.begin(), quantile, values.end());
-    return static_cast<float>(factor) * *quantile;
+    return values.empty() ? 0 : static_cast<float>(factor) * base::ranked(values, (values.size() - 1) * 99 / 100);
 }
 
 /// Off-centre values beside samples, towards where there are fewer, at closed neighbourhoods.
@@ -95,9 +92,8 @@ float limitOfKnownRims(const surface::Surface& surface, const base::Progress& pr
     if (row.empty())
         return bandLimit;
     std::vector<float> ends = offCentres(row);
-    const auto most = ends.begin() + static_cast<std::ptrdiff_t>(ends.size() * 9 / 10);
-    std::nth_element(ends.begin(), most, ends.end());
-    return std::clamp(std::max(*most, rarelyExceeded(offCentres(closed), rareOverQuantile)), tightestKnown,
+    const float most = base::ranked(ends, ends.size() * 9 / 10);
+    return std::clamp(std::max(most, rarelyExceeded(offCentres(closed), rareOverQuantile)), tightestKnown,
                       loosestLimit);
 }
 

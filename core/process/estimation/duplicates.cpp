@@ -1,6 +1,7 @@
 #include "core/process/estimation/duplicates.h"
 
 #include "core/base/disjoint_sets.h"
+#include "core/base/ranked.h"
 #include "core/base/unit_normal.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/part_progress.h"
@@ -87,8 +88,7 @@ bool Places::standsAmong(const Cloud& around, std::uint32_t place, float extent)
         around.nearest(i, ring, further);
         others.push_back(spacingBehind(further.distanceSq, 0));
     }
-    std::nth_element(others.begin(), others.begin() + looked / 2, others.end());
-    return spacing <= sparsest * others[looked / 2];
+    return spacing <= sparsest * base::ranked(others, looked / 2);
 }
 
 /// False where no pile can stand the trial: each has, outside of all piles, enough neighbours that stay what they are

@@ -1,5 +1,6 @@
 #include "core/process/estimation/spacing.h"
 
+#include "core/base/ranked.h"
 #include "core/process/estimation/cloud_spacing.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/estimation/spacing_sample.h"
@@ -27,10 +28,8 @@ std::vector<float> spacings(std::span<const surfel::Surfel> points, const base::
 Summary summarise(std::vector<float> values) {
     if (values.empty())
         return {};
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return {*least, *middle, *most};
+    const auto [least, most] = std::ranges::minmax(values);
+    return {least, base::median(values), most};
 }
 
 } // namespace process

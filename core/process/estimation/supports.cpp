@@ -1,5 +1,6 @@
 #include "core/process/estimation/supports.h"
 
+#include "core/base/ranked.h"
 #include "core/process/estimation/chance.h"
 #include "core/process/estimation/cloud_supports.h"
 #include "core/process/estimation/graded_field.h"
@@ -31,8 +32,7 @@ std::vector<float> withoutOutliers(std::span<const float> spacing, const Neighbo
         out[i] = spacing[i];
         if (spacing[i] <= sparsest * least)
             return; // the median is no less
-        std::nth_element(near, near + g.count() / 2, near + g.count());
-        out[i] = std::min(spacing[i], sparsest * near[g.count() / 2]);
+        out[i] = std::min(spacing[i], sparsest * base::median(std::span(near, g.count())));
     });
     return out;
 }

@@ -1,5 +1,7 @@
 #include "core/process/estimation/up_guess.h"
 
+#include "core/base/ranked.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -34,13 +36,6 @@ struct Sample {
     double weight; ///< area, in units of its own
 };
 
-template <class T>
-T quantile(std::vector<T> values, double share) {
-    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[static_cast<std::size_t>(at)];
-}
-
 std::vector<Sample> samplesOf(const tree::SurfelTree& tree) {
     const std::size_t step = tree.size() / mostLookedAt + 1;
     const Vec3f centre = tree.bounds().centre();
@@ -58,7 +53,7 @@ std::vector<Sample> samplesOf(const tree::SurfelTree& tree) {
     std::vector<double> weights;
     for (const Sample& s : out)
         weights.push_back(s.weight);
-    const double most = quantile(std::move(weights), largestWeight);
+    const double most = base::quantile(std::move(weights), largestWeight);
     for (Sample& s : out)
         s.weight = std::min(s.weight, most);
     return out;
@@ -70,8 +65,8 @@ std::vector<Sample> withoutOutliers(std::vector<Sample> samples, base::Box3f& bo
         std::vector<float> places;
         for (const Sample& s : samples)
             places.push_back(s.position[k]);
-        box.lo[k] = quantile(places, leftOut);
-        box.hi[k] = quantile(std::move(places), 1 - leftOut);
+        box.lo[k] = base::quantile(places, leftOut);
+        box.hi[k] = base::quantile(std::move(places), 1 - leftOut);
     }
     const base::Box3f near = box.inflated(static_cast<float>(thick) * box.diagonal());
     std::erase_if(samples, [&](const Sample& s) { return !near.contains(s.position); });

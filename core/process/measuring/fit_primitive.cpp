@@ -1,6 +1,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/base/ranked.h"
 #include "core/base/row_of_id.h"
 #include "core/process/cleaning/spread.h"
 #include "core/process/measuring/primitive_start.h"
@@ -49,7 +50,7 @@ double medianDistance(const Primitive& p, std::span<const Vec3d> points) {
     std::vector<double> d;
     for (const Vec3d& x : points)
         d.push_back(std::abs(p.distance(x)));
-    return middleOf(d);
+    return base::median(d);
 }
 
 /// An even choice.
@@ -116,10 +117,10 @@ double deviationFrom(const Primitive& p, const Scaled& data) {
     std::vector<double> d;
     for (const Vec3d& x : data.points)
         d.push_back(std::abs(p.distance(x)));
-    double sigma = std::max(deviationOverMad * middleOf(d), data.finest);
+    double sigma = std::max(deviationOverMad * base::median(d), data.finest);
     for (int round = 0; round < 3; ++round) {
         std::erase_if(d, [&](double each) { return each > robustReach * sigma; });
-        sigma = std::max(deviationOverMad * middleOf(d), data.finest);
+        sigma = std::max(deviationOverMad * base::median(d), data.finest);
     }
     return sigma;
 }

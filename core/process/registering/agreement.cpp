@@ -1,6 +1,7 @@
 #include "core/process/registering/agreement.h"
 
 #include "core/base/error.h"
+#include "core/base/ranked.h"
 #include "core/process/cleaning/spread.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/registering/feet.h"
@@ -50,7 +51,7 @@ std::vector<double> scoresOf(const std::vector<Trial>& trials, double spacing) {
     double reach = spacing;
     for (const Trial& each : trials)
         if (std::vector<double> off = each.off; off.size() >= few)
-            reach = std::min(reach, closely * deviationOverMad * middleOf(off));
+            reach = std::min(reach, closely * deviationOverMad * base::median(off));
     reach = std::max(reach, surely * spacing);
     std::vector<double> out;
     for (const Trial& each : trials) {

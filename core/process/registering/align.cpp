@@ -1,6 +1,7 @@
 #include "core/process/registering/align.h"
 
 #include "core/base/error.h"
+#include "core/base/ranked.h"
 #include "core/process/cleaning/spread.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/process/registering/slack.h"
@@ -70,7 +71,7 @@ Alignment align(std::vector<Placed>& models, const AlignOptions& options, const 
         std::vector<double> sizes;
         for (const FootPair& p : pairs)
             sizes.push_back(std::abs(p.off));
-        const double deviation = std::max(deviationOverMad * middleOf(sizes), 1e-3 * spacing);
+        const double deviation = std::max(deviationOverMad * base::median(sizes), 1e-3 * spacing);
         const MotionEquations equations(pairs, models.size(), frame, robustReach * deviation);
         const std::vector<Rigid> steps = equations.best();
         double moved = 0;

@@ -1,6 +1,7 @@
 #include "core/process/registering/colour_blend.h"
 
 #include "core/base/parallel.h"
+#include "core/base/ranked.h"
 #include "core/process/cleaning/spread.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/neighbours/knn.h"
@@ -99,7 +100,7 @@ std::vector<Vec3d> gainsOf(std::span<const Pair> pairs, std::span<const Vec3d> l
             if (ratios.empty())
                 continue;
             const auto weight = static_cast<double>(ratios.size()) / static_cast<double>(pairs.size());
-            const double ratio = middleOf(ratios); // g_a - g_b is to be it
+            const double ratio = base::median(ratios); // g_a - g_b is to be it
             const auto a = static_cast<Eigen::Index>(which.first), b = static_cast<Eigen::Index>(which.second);
             matrix(a, a) += weight, matrix(b, b) += weight, matrix(a, b) -= weight, matrix(b, a) -= weight;
             right(a) += weight * ratio, right(b) -= weight * ratio;

@@ -1,6 +1,7 @@
 #include "core/render/overlay/wireframe.h"
 
 #include "core/base/parallel.h"
+#include "core/base/ranked.h"
 #include "core/mesh/connectivity/triangulation.h"
 #include "core/render/effects/pixel_geometry.h"
 
@@ -153,10 +154,7 @@ float typicalLength(const WireDrawing& d) {
         if (a.seen && b.seen)
             lengths.push_back(std::hypot(b.x - a.x, b.y - a.y));
     }
-    if (lengths.empty())
-        return 0;
-    std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2), lengths.end());
-    return lengths[lengths.size() / 2];
+    return base::median(lengths);
 }
 
 } // namespace

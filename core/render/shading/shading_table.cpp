@@ -1,6 +1,7 @@
 #include "core/render/shading/shading_table.h"
 
 #include "core/base/error.h"
+#include "core/base/ranked.h"
 #include "core/base/row_of_id.h"
 #include "core/render/shading/light_ball.h"
 
@@ -178,12 +179,6 @@ static float rounded(double value, int direction) {
     return static_cast<float>((direction < 0 ? std::floor(count + 1e-4) : std::ceil(count - 1e-4)) * unit);
 }
 
-static float quantile(std::vector<float>& values, double share) {
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 ColourScale automaticScale(const MeasureRow& row, std::vector<float> values, float diagonal) {
     if (row.chosen)
         return {ColourMap::Chosen, 0, 1, row.title};
@@ -192,14 +187,15 @@ ColourScale automaticScale(const MeasureRow& row, std::vector<float> values, flo
     if (row.isSigned) {
         for (float& value : values)
             value = std::abs(value);
-        const double end = values.empty() ? 0.0 : static_cast<double>(quantile(values, static_cast<double>(row.share)));
+        const double end =
+            values.empty() ? 0.0 : static_cast<double>(base::quantile(values, static_cast<double>(row.share)));
         out.high = rounded(std::max({end, least, 1e-30}), 1);
         out.low = -out.high;
         return out;
     }
     const double tail = 0.5 * (1 - static_cast<double>(row.share));
-    out.low = values.empty() ? 0.0f : rounded(static_cast<double>(quantile(values, tail)), -1);
-    const double high = values.empty() ? 0.0 : static_cast<double>(quantile(values, 1 - tail));
+    out.low = values.empty() ? 0.0f : rounded(static_cast<double>(base::quantile(values, tail)), -1);
+    const double high = values.empty() ? 0.0 : static_cast<double>(base::quantile(values, 1 - tail));
     out.high = rounded(std::max({high, static_cast<double>(out.low) + least, 1e-30}), 1);
     if (!(out.high > out.low))
         out.high = std::nextafter(out.low, std::numeric_limits<float>::infinity());

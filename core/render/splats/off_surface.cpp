@@ -1,5 +1,7 @@
 #include "core/render/splats/off_surface.h"
 
+#include "core/base/ranked.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -27,11 +29,7 @@ float offSurface(const surfel::SurfelBlock& block, float radiusOfSupport) {
         if (count >= leastNeighbours)
             off.push_back(std::abs(sum) / static_cast<float>(count));
     }
-    if (off.empty())
-        return 0;
-    const auto telling = off.begin() + static_cast<std::ptrdiff_t>(off.size() / tellingPart);
-    std::nth_element(off.begin(), telling, off.end(), std::greater<>());
-    return *telling;
+    return base::ranked(off, off.size() / tellingPart, std::greater<>());
 }
 
 } // namespace render

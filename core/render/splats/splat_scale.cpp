@@ -1,5 +1,6 @@
 #include "core/render/splats/splat_scale.h"
 
+#include "core/base/ranked.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/render/splats/disc_gaps.h"
 #include "core/render/splats/splat_kernels.h"
@@ -29,9 +30,7 @@ constexpr float beyondGap = 1.2f;
 constexpr float fewFrom = 0.4f, fewWithin = 0.7f, narrowest = 0.65f;
 
 float coveredBy(std::vector<float>& ratios) {
-    const auto most = ratios.begin() + static_cast<std::ptrdiff_t>(covered * static_cast<float>(ratios.size() - 1));
-    std::nth_element(ratios.begin(), most, ratios.end());
-    return *most;
+    return base::ranked(ratios, static_cast<std::size_t>(covered * static_cast<float>(ratios.size() - 1)));
 }
 
 /// Where few samples carry the shape, a disc is as large as a feature, and stands out over outlines: it becomes no

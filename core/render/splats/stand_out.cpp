@@ -1,5 +1,6 @@
 #include "core/render/splats/stand_out.h"
 
+#include "core/base/ranked.h"
 #include "core/surfel/shape.h"
 
 #include <algorithm>
@@ -65,9 +66,7 @@ std::optional<float> StandOut::overNeighbours(const Disc& disc, std::span<const 
     }
     if (m_heights.size() < leastNeighbours)
         return std::nullopt;
-    const auto telling = m_heights.begin() + static_cast<std::ptrdiff_t>(m_heights.size() / tellingPart);
-    std::nth_element(m_heights.begin(), telling, m_heights.end(), std::greater<>());
-    return std::min(*telling, radius);
+    return std::min(base::ranked(m_heights, m_heights.size() / tellingPart, std::greater<>()), radius);
 }
 
 /// Of the nearest surfel of the cell across, as if its disc were as large.
@@ -99,8 +98,7 @@ float StandOut::of(const SurfelBlock& block) {
     }
     if (discs.size() < tellingDiscs)
         return 0;
-    std::nth_element(discs.begin(), discs.begin() + (tellingDiscs - 1), discs.end(), std::greater<>());
-    return discs[tellingDiscs - 1];
+    return base::ranked(discs, tellingDiscs - 1, std::greater<>());
 }
 
 } // namespace render
