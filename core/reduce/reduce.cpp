@@ -160,8 +160,11 @@ Reduced made(Ground& ground, Draft draft, std::size_t count, bool keepTree, cons
     return finished(ground, std::move(sites), process::part(progress, 0.8, 1));
 }
 
+/// Clearly nearer and without further holes, or with fewer of them and not clearly farther.
 bool better(const Report& ellipsoids, const Report& balls) {
-    return ellipsoids.holes <= balls.holes && ellipsoids.surfaceRms < worth * balls.surfaceRms;
+    return ellipsoids.holes == balls.holes ? ellipsoids.surfaceRms < worth * balls.surfaceRms
+                                           : ellipsoids.holes < balls.holes &&
+                                                 worth * ellipsoids.surfaceRms <= balls.surfaceRms;
 }
 
 /// Balls or ellipsoids. The less promising ones are made only where they might win: nothing gets much nearer than its
@@ -181,7 +184,7 @@ Reduced chosen(Ground& ground, std::size_t count, bool keepTree, const base::Pro
         return better(drawn.report, round.report) ? std::move(drawn) : std::move(round);
     }
     Reduced round = made(ground, std::move(balls), count, true, once);
-    if (drawnAtBest >= worth * round.report.surfaceRms)
+    if (round.report.holes == 0 && drawnAtBest >= worth * round.report.surfaceRms)
         return round;
     Reduced drawn = made(ground, std::move(*ellipsoids), count, keepTree, last);
     return better(drawn.report, round.report) ? std::move(drawn) : std::move(round);
