@@ -4,9 +4,11 @@
 #include "core/session/model_argument.h"
 #include "core/session/stroke_json.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "workbench.h"
 
 #include <QTest>
+#include <set>
 
 using base::Vec3d;
 using nlohmann::json;
@@ -74,8 +76,9 @@ void LiveStrokeTest::samplesSurviveLargeOrigins() {
 }
 
 void LiveStrokeTest::aLiveStrokeIsWhatItsLineReplays() {
+    const std::set<std::string_view> few{"draw", "grab", "smooth", "erase", "clone", "paint"}; // of every kind one
     for (const sculpt::ToolRow& tool : sculpt::toolTable()) {
-        if (tool.needs.layer)
+        if (tool.needs.layer || (test::sanitized && !few.contains(tool.id)))
             continue;
         Workbench live, replayed;
         session::Journal journal(live.path("j.jsonl"));

@@ -4,6 +4,7 @@
 #include "core/session/document.h"
 #include "core/surface/projection/project.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -34,8 +35,11 @@ static json round() {
 
 void MoebiusStrokeTest::strokesAllTheWayRoundLeaveNoSeam_data() {
     QTest::addColumn<QString>("tool");
-    for (const char* tool : {"draw", "smooth", "inflate", "flatten", "clay", "grab"})
+    for (const char* tool : {"draw", "grab"})
         QTest::newRow(tool) << tool;
+    if (!test::sanitized)
+        for (const char* tool : {"smooth", "inflate", "flatten", "clay"})
+            QTest::newRow(tool) << tool;
 }
 
 void MoebiusStrokeTest::strokesAllTheWayRoundLeaveNoSeam() {

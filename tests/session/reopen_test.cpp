@@ -4,6 +4,7 @@
 #include "core/io/formats.h"
 #include "random_strokes.h"
 #include "support/registry.h"
+#include "support/sanitized.h"
 #include "workbench.h"
 
 #include <QTest>
@@ -83,6 +84,8 @@ void ReopenTest::savedModelsGoOnAsIfTheyHadStayedOpen() {
         const base::Random later(random.next());
         goOn(stays, 6, later);
         for (const int threads : {1, 2}) {
+            if (threads == 1 && test::sanitized)
+                continue;
             base::setThreadCount(threads);
             Workbench opens;
             opens.run({{"op", "open"}, {"path", saved.string()}});
