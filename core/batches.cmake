@@ -1,8 +1,8 @@
 # Most files of a room are small, and two thirds of the time to compile one goes to reading headers. So a room's files are
-# compiled eight at a time, in batches in which no two have a name of their own in common. What stands in the way is
+# compiled several at a time, in batches in which no two have a name of their own in common. What stands in the way is
 # compiled alone: files with macros, with flags of their own, or with a type that is called like one of the room's
-# headers. `-DPOINTCLAY_TOGETHER=OFF` is for who works on one file again and again, and warns of every shadowed name.
-option(POINTCLAY_TOGETHER "Compile the files of a room and its tests together" ON)
+# headers. `-DPOINTCLAY_TOGETHER=0` is for who works on one file again and again, and warns of every shadowed name.
+set(POINTCLAY_TOGETHER 8 CACHE STRING "How many files of a room, or of its tests, are compiled at a time; 0: each alone")
 
 # What a file declares in its first column may be its own: functions, constants, types. Names of members (A::b) are not.
 function(pointclay_own_names file result result_types)
@@ -32,7 +32,6 @@ function(pointclay_batches target)
     if(NOT POINTCLAY_TOGETHER)
         return()
     endif()
-    set(most 8)
     get_target_property(sources ${target} SOURCES)
     set(shown "") # types
     foreach(source ${sources})
@@ -53,7 +52,7 @@ function(pointclay_batches target)
         endif()
         set(batch 0)
         foreach(each RANGE 1 ${batches})
-            if(each GREATER batches OR size_${each} EQUAL most)
+            if(each GREATER batches OR size_${each} EQUAL POINTCLAY_TOGETHER)
                 continue()
             endif()
             set(alike ${names} ${names_${each}})

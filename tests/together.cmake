@@ -1,6 +1,6 @@
 # A small test takes a second of its own to compile after five for the headers that it includes. So the tests of a room are
-# compiled eight to a translation unit, which takes a third of the time; each file inside a namespace of
-# its own, where its helpers meet no others. `-DPOINTCLAY_TOGETHER=OFF` is for who works on one file again and again.
+# compiled several to a translation unit, eight of which take a third of the time; each file inside a namespace of
+# its own, where its helpers meet no others. `-DPOINTCLAY_TOGETHER=0` is for who works on one file again and again.
 
 # together TARGET: what its tests include is included before the first namespace opens, so that it stays outside.
 function(pointclay_together target)
@@ -35,7 +35,7 @@ function(pointclay_together target)
     file(CONFIGURE OUTPUT ${header} CONTENT "#pragma once\n@includes@\n" @ONLY)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources})
     set_target_properties(${target} PROPERTIES
-        UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8 UNITY_BUILD_UNIQUE_ID POINTCLAY_UNIT
+        UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${POINTCLAY_TOGETHER} UNITY_BUILD_UNIQUE_ID POINTCLAY_UNIT
         UNITY_BUILD_CODE_BEFORE_INCLUDE "#include \"${header}\"\nnamespace POINTCLAY_UNIT {"
         UNITY_BUILD_CODE_AFTER_INCLUDE "}")
 endfunction()
