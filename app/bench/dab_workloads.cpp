@@ -1,10 +1,10 @@
 // One dab of every tool at an exact place: the tool and the new version; of some with brushes of all sizes, and with
 // all that it touched resampled. In a stroke a dab resamples less, or nothing.
-#include "app/bench/naive_brush.h"
+#include "app/bench/naive/naive_brush.h"
 #include "app/bench/plain_dab.h"
 #include "app/bench/workload.h"
 #include "core/sculpt/sampling.h"
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 #include "core/session/document.h"
 
 namespace bench {

@@ -1,5 +1,5 @@
 // A binary PLY of 27 bytes a point, as scanners' own programs write: to points in memory, and on to a tree to sculpt.
-#include "app/bench/naive_file.h"
+#include "app/bench/naive/naive_file.h"
 #include "app/bench/scan_file.h"
 #include "app/bench/workload.h"
 #include "core/io/formats.h"

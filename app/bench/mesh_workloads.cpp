@@ -1,5 +1,5 @@
 // Tessellation: triangles per second, of a piece of the model, whose size keeps a run below a second.
-#include "app/bench/naive_march.h"
+#include "app/bench/naive/naive_march.h"
 #include "app/bench/workload.h"
 #include "core/mesh/delaunay/delaunay.h"
 #include "core/mesh/marching/marching_cubes.h"

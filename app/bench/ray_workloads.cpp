@@ -1,6 +1,6 @@
 // First hits of rays.
 #include "app/bench/batches.h"
-#include "app/bench/naive_rays.h"
+#include "app/bench/naive/naive_rays.h"
 #include "app/bench/workload.h"
 #include "core/surface/rays/intersect.h"
 

@@ -5,7 +5,7 @@ pointclay_room(workloads app/bench gl session haptics)
 # The naive ways are built as well as the compiler can for the machine that builds: whoever compares must not lose by
 # flags. A Release taken to another machine runs there, but for the rows of `pointclay bench` that need these.
 # Under sanitizers they are files like all others.
-file(GLOB naive CONFIGURE_DEPENDS app/bench/naive_*.cpp)
+file(GLOB naive CONFIGURE_DEPENDS app/bench/naive/*.cpp)
 if(POINTCLAY_SANITIZE)
     pointclay_link(workloads nanoflann::nanoflann Eigen3::Eigen embree)
 else()

@@ -1,7 +1,7 @@
 // A scene's points as a file of 27 bytes each, as scanners' own programs write, or of 15 without normals.
 #pragma once
 
-#include "app/bench/naive_file.h"
+#include "app/bench/naive/naive_file.h"
 #include "app/bench/scene.h"
 
 namespace bench {

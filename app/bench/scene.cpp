@@ -1,6 +1,6 @@
 #include "app/bench/scene.h"
 
-#include "app/bench/naive_rays.h"
+#include "app/bench/naive/naive_rays.h"
 #include "core/base/random.h"
 
 namespace bench {

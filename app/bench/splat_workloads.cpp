@@ -1,5 +1,5 @@
 // Frames of splats at 1280 x 720, at rest and of a view that moves.
-#include "app/bench/naive_splats.h"
+#include "app/bench/naive/naive_splats.h"
 #include "app/bench/workload.h"
 #include "core/render/splats/detail_pacer.h"
 #include "core/render/splats/splat_kernels.h"

@@ -1,6 +1,6 @@
 // Evaluations, projections and curvature.
 #include "app/bench/batches.h"
-#include "app/bench/naive_surface.h"
+#include "app/bench/naive/naive_surface.h"
 #include "app/bench/workload.h"
 #include "core/surface/curvature.h"
 #include "core/surface/evaluation/self.h"

@@ -1,5 +1,5 @@
 // Building the tree and editing it at a brush.
-#include "app/bench/naive_tree.h"
+#include "app/bench/naive/naive_tree.h"
 #include "app/bench/workload.h"
 
 #include <algorithm>

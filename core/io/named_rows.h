@@ -4,7 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/io/number_text.h"
-#include "core/io/text_rows.h"
+#include "core/io/text/text_rows.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "core/io/binary_output.h"
 #include "core/io/mesh_writers.h"
 #include "core/io/number_text.h"
-#include "core/io/text_output.h"
+#include "core/io/text/text_output.h"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 #include "core/io/number_text.h"
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
-#include "core/io/text_lines.h"
+#include "core/io/text/text_lines.h"
 #include "core/io/vertex_weld.h"
 
 #include <algorithm>

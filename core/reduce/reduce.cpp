@@ -162,9 +162,9 @@ Reduced made(Ground& ground, Draft draft, std::size_t count, bool keepTree, cons
 
 /// Clearly nearer and without further holes, or with fewer of them and not clearly farther.
 bool better(const Report& ellipsoids, const Report& balls) {
-    return ellipsoids.holes == balls.holes ? ellipsoids.surfaceRms < worth * balls.surfaceRms
-                                           : ellipsoids.holes < balls.holes &&
-                                                 worth * ellipsoids.surfaceRms <= balls.surfaceRms;
+    return ellipsoids.holes == balls.holes
+               ? ellipsoids.surfaceRms < worth * balls.surfaceRms
+               : ellipsoids.holes < balls.holes && worth * ellipsoids.surfaceRms <= balls.surfaceRms;
 }
 
 /// Balls or ellipsoids. The less promising ones are made only where they might win: nothing gets much nearer than its

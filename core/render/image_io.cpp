@@ -1,6 +1,6 @@
 #include "core/render/image_io.h"
 
-#include "core/io/colour_png.h"
+#include "core/io/pictures/colour_png.h"
 #include "core/io/safe_file.h"
 
 #include <cstring>

@@ -3,7 +3,7 @@
 
 #include "core/base/mat3.h"
 #include "core/base/ray.h"
-#include "core/sculpt/stroke_settings.h"
+#include "core/sculpt/stroke/stroke_settings.h"
 
 namespace sculpt {
 

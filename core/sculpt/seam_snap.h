@@ -2,7 +2,7 @@
 // of the model, where one is near.
 #pragma once
 
-#include "core/sculpt/stroke_sample.h"
+#include "core/sculpt/stroke/stroke_sample.h"
 #include "core/surface/surface.h"
 
 #include <vector>

@@ -3,7 +3,7 @@
 #include "core/base/cancel_scope.h"
 #include "core/base/error.h"
 #include "core/base/short_number.h"
-#include "core/io/grey_image.h"
+#include "core/io/pictures/grey_image.h"
 #include "core/selection/hidden.h"
 #include "core/session/command.h"
 #include "core/session/commands/commands.h"

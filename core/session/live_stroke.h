@@ -11,7 +11,7 @@
 // meanwhile.
 #pragma once
 
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 #include "core/session/command.h"
 
 namespace session {

@@ -6,7 +6,7 @@
 //     mirror planes     ["x","z"]                               image     its path
 #pragma once
 
-#include "core/sculpt/stroke_options.h"
+#include "core/sculpt/stroke/stroke_options.h"
 #include "core/session/command.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -5,7 +5,7 @@
 #include "core/io/formats.h"
 #include "core/io/las/las_points.h"
 #include "core/io/las/las_thinning.h"
-#include "core/io/text_preview.h"
+#include "core/io/text/text_preview.h"
 #include "core/process/cleaning/thin.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/part_progress.h"

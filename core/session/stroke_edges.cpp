@@ -7,7 +7,7 @@
 #include "core/cells/creases/fade_creases.h"
 #include "core/sculpt/contact.h"
 #include "core/sculpt/mirror.h"
-#include "core/sculpt/stroke_options.h"
+#include "core/sculpt/stroke/stroke_options.h"
 #include "core/surface/projection/project.h"
 
 #include <algorithm>

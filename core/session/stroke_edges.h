@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 
 #include <string>
 

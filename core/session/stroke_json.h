@@ -6,7 +6,7 @@
 // positions are first put on places that do (`recordable`).
 #pragma once
 
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -5,7 +5,7 @@
 #include "core/process/resampling/resample.h"
 #include "core/sculpt/contact.h"
 #include "core/sculpt/sampling.h"
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 
 #include <benchmark/benchmark.h>
 #include <cmath>

@@ -2,7 +2,7 @@
 // same points. Building and a single edit are workloads of the table (workloads_bench.cpp).
 //
 // Edit benchmarks report the median and the worst of all edits in milliseconds as counters.
-#include "app/bench/naive_cloud.h"
+#include "app/bench/naive/naive_cloud.h"
 #include "core/base/random.h"
 #include "core/tree/surfel_tree.h"
 

@@ -1,7 +1,7 @@
 #include "fuzz/fuzzed.h"
 
 #include "core/base/parallel.h"
-#include "core/io/colour_png.h"
+#include "core/io/pictures/colour_png.h"
 
 #include <atomic>
 #include <chrono>

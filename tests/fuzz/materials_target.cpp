@@ -1,5 +1,5 @@
 // Material libraries of OBJ files.
-#include "core/io/obj_materials.h"
+#include "core/io/obj/obj_materials.h"
 #include "fuzz/fuzzed.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,6 +1,6 @@
 // PNG and JPEG: stamps of brushes and pictures of faces.
-#include "core/io/colour_image.h"
-#include "core/io/grey_image.h"
+#include "core/io/pictures/colour_image.h"
+#include "core/io/pictures/grey_image.h"
 #include "fuzz/fuzzed.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,9 +1,9 @@
 #include "fuzz/seeds.h"
 
 #include "core/base/random.h"
-#include "core/io/colour_png.h"
 #include "core/io/e57/paged_bytes.h"
 #include "core/io/formats.h"
+#include "core/io/pictures/colour_png.h"
 #include "core/session/command.h"
 #include "core/session/scene/scene_ply.h"
 #include "fuzz/fuzzed.h"

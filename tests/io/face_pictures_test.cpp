@@ -1,7 +1,7 @@
 // Pictures and colours of faces, as the readers bring them.
-#include "core/io/face_pictures.h"
+#include "core/io/pictures/face_pictures.h"
 
-#include "core/io/colour_png.h"
+#include "core/io/pictures/colour_png.h"
 #include "io_support.h"
 #include "support/registry.h"
 

@@ -1,6 +1,6 @@
 // glTF: clouds with all that they have, nodes that place meshes, pictures inside of the file, and claims that no bytes
 // stand behind.
-#include "core/io/colour_png.h"
+#include "core/io/pictures/colour_png.h"
 
 #include "io/io_support.h"
 #include "support/registry.h"

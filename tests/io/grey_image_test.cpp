@@ -1,8 +1,8 @@
-#include "core/io/grey_image.h"
+#include "core/io/pictures/grey_image.h"
 
 #include "core/base/error.h"
 #include "core/base/random.h"
-#include "core/io/colour_image.h"
+#include "core/io/pictures/colour_image.h"
 #include "support/registry.h"
 
 #include <cstdio>

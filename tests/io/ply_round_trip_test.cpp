@@ -1,4 +1,4 @@
-#include "core/io/ply_header.h"
+#include "core/io/ply/ply_header.h"
 #include "core/io/record_table.h"
 
 #include "core/io/number_text.h"

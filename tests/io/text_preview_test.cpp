@@ -1,5 +1,5 @@
 // What a text's columns are, told by a person or seen in advance.
-#include "core/io/text_preview.h"
+#include "core/io/text/text_preview.h"
 #include "io/io_support.h"
 #include "support/registry.h"
 

@@ -1,5 +1,5 @@
 // What the tools that mask, colour, delete and copy do.
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 #include "sculpt/dabs.h"
 #include "sculpt/random_ball.h"
 #include "support/registry.h"

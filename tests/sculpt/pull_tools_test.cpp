@@ -1,5 +1,5 @@
 // What the tools that pull and turn do, against their formulas.
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 #include "sculpt/dabs.h"
 #include "support/registry.h"
 

@@ -2,7 +2,7 @@
 // where one draws it apart.
 #include "cells/solids.h"
 #include "core/cells/seams.h"
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 #include "support/registry.h"
 
 #include <QTest>

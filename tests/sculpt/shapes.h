@@ -1,7 +1,7 @@
 // Shapes to sculpt on, and a stroke in one call.
 #pragma once
 
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 #include "process/even_shapes.h"
 
 namespace test {

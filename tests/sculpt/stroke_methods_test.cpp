@@ -2,7 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/sculpt/contact.h"
-#include "core/sculpt/stroke_stabiliser.h"
+#include "core/sculpt/stroke/stroke_stabiliser.h"
 #include "sculpt/stroke_samples.h"
 #include "support/registry.h"
 

@@ -1,4 +1,4 @@
-#include "core/sculpt/stroke_pacer.h"
+#include "core/sculpt/stroke/stroke_pacer.h"
 
 #include "support/registry.h"
 

@@ -1,7 +1,7 @@
 // Strokes by hand: samples that look straight down.
 #pragma once
 
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 #include "sculpt/shapes.h"
 
 namespace test {

@@ -1,4 +1,4 @@
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 
 #include "core/base/error.h"
 #include "core/base/random.h"

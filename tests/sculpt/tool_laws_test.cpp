@@ -1,6 +1,6 @@
 // Laws that every tool obeys, over the whole table, with random strokes on spheres.
 #include "core/base/error.h"
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 #include "sculpt/dabs.h"
 #include "support/registry.h"
 #include "support/sanitized.h"

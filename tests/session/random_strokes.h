@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/random.h"
-#include "core/sculpt/stroke_settings.h"
+#include "core/sculpt/stroke/stroke_settings.h"
 #include "core/session/document.h"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // What a journal brings back after a crash, and what it cannot.
-#include "core/io/colour_png.h"
+#include "core/io/pictures/colour_png.h"
 #include "journals.h"
 #include "support/registry.h"
 #include "support/sanitized.h"

@@ -12,7 +12,7 @@
 #include "core/render/overlay/annotations.h"
 #include "core/render/shading/backdrop.h"
 #include "core/render/shading/shading_table.h"
-#include "core/sculpt/stroke_options.h"
+#include "core/sculpt/stroke/stroke_options.h"
 #include "core/sculpt/tool.h"
 #include "core/session/command.h"
 #include "ui/interaction/select_ways.h"

@@ -1,5 +1,5 @@
 // The naive dabs move surfels to where the tools move them.
-#include "app/bench/naive_brush.h"
+#include "app/bench/naive/naive_brush.h"
 
 #include "app/bench/plain_dab.h"
 #include "app/bench/scene.h"

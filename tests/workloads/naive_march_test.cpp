@@ -1,5 +1,5 @@
 // The naive marching cubes mesh the same surface with as many triangles.
-#include "app/bench/naive_march.h"
+#include "app/bench/naive/naive_march.h"
 
 #include "app/bench/scene.h"
 #include "core/mesh/marching/marching_cubes.h"

@@ -1,5 +1,5 @@
 // The naive rays hit what ours hit.
-#include "app/bench/naive_rays.h"
+#include "app/bench/naive/naive_rays.h"
 
 #include "app/bench/scene.h"
 #include "core/surface/rays/intersect.h"

@@ -1,5 +1,5 @@
 // A baseline is worth something only where it computes the same: the naive ways against the float64 reference.
-#include "app/bench/naive_surface.h"
+#include "app/bench/naive/naive_surface.h"
 
 #include "app/bench/scene.h"
 #include "core/base/random.h"

@@ -1,5 +1,5 @@
 // The naive index has every surfel, and the same edit leaves the same points.
-#include "app/bench/naive_tree.h"
+#include "app/bench/naive/naive_tree.h"
 
 #include "support/registry.h"
 

@@ -1,6 +1,6 @@
 #include "ui/interaction/clone_source.h"
 
-#include "core/sculpt/stroke_options.h"
+#include "core/sculpt/stroke/stroke_options.h"
 
 namespace ui {
 

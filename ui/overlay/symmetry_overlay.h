@@ -2,7 +2,7 @@
 // wherever else the brush works. Also the place that a tool copies from.
 #pragma once
 
-#include "core/sculpt/stroke_settings.h"
+#include "core/sculpt/stroke/stroke_settings.h"
 #include "core/surface/curves/section.h"
 #include "ui/overlay/brush_cursor.h"
 

@@ -1,7 +1,7 @@
 // The widget in which a person changes one option of a brush, whatever its kind: made from the option's table row.
 #pragma once
 
-#include "core/sculpt/stroke_options.h"
+#include "core/sculpt/stroke/stroke_options.h"
 
 #include <functional>
 #include <QString>

@@ -1,7 +1,7 @@
 #include "ui/panels/stamp_field.h"
 
 #include "core/base/error.h"
-#include "core/io/grey_image.h"
+#include "core/io/pictures/grey_image.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

@@ -1,6 +1,6 @@
 // What the window remembers between two runs: a plain value with defaults, compared with ==, read from and written to
-// QSettings. Options of a stroke are those of one tool or of all (sculpt/stroke_options.h). Nothing here changes a
-// model; a stroke takes what it needs with strokeSettings().
+// QSettings. Options of a stroke are those of one tool or of all (sculpt/stroke/stroke_options.h). Nothing here changes
+// a model; a stroke takes what it needs with strokeSettings().
 //
 // Reading is forgiving: what is missing, unknown or out of range keeps its default, so that a settings file of another
 // version never stops the program.
@@ -9,7 +9,7 @@
 #include "core/raycast/lighting.h"
 #include "core/render/overlay/annotations.h"
 #include "core/render/renderer.h"
-#include "core/sculpt/stroke_options.h"
+#include "core/sculpt/stroke/stroke_options.h"
 #include "ui/view/saved_views.h"
 
 #include <QByteArray>

@@ -2,7 +2,7 @@
 // would, or as a person chooses. Hidden for other files. Interface's thread only; it reads a quarter of a megabyte.
 #pragma once
 
-#include "core/io/text_preview.h"
+#include "core/io/text/text_preview.h"
 
 #include <QWidget>
 

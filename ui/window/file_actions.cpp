@@ -1,7 +1,7 @@
 #include "ui/window/file_actions.h"
 
 #include "core/base/error.h"
-#include "core/io/text_preview.h"
+#include "core/io/text/text_preview.h"
 #include "core/session/journal.h"
 #include "core/session/model_argument.h"
 #include "core/session/scene/scene_file.h"

@@ -6,7 +6,7 @@
 // aside as it is: the model is as before at once, and redo goes on with it. So nothing of this shows in the record.
 #pragma once
 
-#include "core/sculpt/stroke_pacer.h"
+#include "core/sculpt/stroke/stroke_pacer.h"
 #include "core/session/journal.h"
 #include "core/session/live_stroke.h"
 #include "ui/work/command_cancel.h"

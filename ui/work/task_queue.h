@@ -1,11 +1,11 @@
 // What the interface asks of the model thread, in order. Pointer input that arrives faster than dabs can be done is
 // merged here into one piece of path, before it is recorded, so that it never queues up; see also
-// sculpt/stroke_pacer.h.
+// sculpt/stroke/stroke_pacer.h.
 //
 // Threads: `push` and `close` from any, `pop` from the one that works.
 #pragma once
 
-#include "core/sculpt/stroke.h"
+#include "core/sculpt/stroke/stroke.h"
 #include "core/session/command.h"
 
 #include <atomic>

@@ -1,6 +1,6 @@
 #include "core/io/gltf/gltf_file.h"
 
-#include "core/io/face_pictures.h"
+#include "core/io/pictures/face_pictures.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,9 +1,9 @@
 // glTF 2.0: all meshes and clouds of the file's scene where its nodes place them, with normals, colours and pictures
 // (io/README 2.15).
-#include "core/io/face_pictures.h"
 #include "core/io/file_name.h"
 #include "core/io/gltf/gltf_file.h"
 #include "core/io/gltf/gltf_placement.h"
+#include "core/io/pictures/face_pictures.h"
 #include "core/io/readers.h"
 #include "core/io/scene/scene_points.h"
 

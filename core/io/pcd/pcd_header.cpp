@@ -1,7 +1,7 @@
 #include "core/io/pcd/pcd_header.h"
 
 #include "core/io/number_text.h"
-#include "core/io/text_lines.h"
+#include "core/io/text/text_lines.h"
 
 #include <algorithm>
 #include <span>

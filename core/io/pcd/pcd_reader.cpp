@@ -4,7 +4,7 @@
 #include "core/io/pcd/pcd_header.h"
 #include "core/io/readers.h"
 #include "core/io/record_points.h"
-#include "core/io/text_rows.h"
+#include "core/io/text/text_rows.h"
 
 #include "core/base/parallel.h"
 

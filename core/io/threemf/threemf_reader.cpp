@@ -1,7 +1,7 @@
 // 3MF: all that the package is to build, placed as its items and components say, with colours and pictures
 // (io/README 2.16).
-#include "core/io/face_pictures.h"
 #include "core/io/packed/inflate.h"
+#include "core/io/pictures/face_pictures.h"
 #include "core/io/readers.h"
 #include "core/io/threemf/threemf_parts.h"
 
