@@ -10,7 +10,8 @@
 
 namespace app {
 
-/// The first three columns of every line: blank, comma or tab separated, # comments; a first line of names is passed
+/// The first three columns of every line: blank, comma or tab separated, # comments, decimal commas
+/// where they are told from separators; a first line of names is passed
 /// over. Other readable models (by extension) give their positions in file coordinates. Throws base::Error naming the
 /// line.
 std::vector<base::Vec3d> readPoints(const std::filesystem::path& path, const base::Progress& progress);

@@ -1,10 +1,9 @@
-// Text of numbers whose first line names its columns, in any order and among others: rays, trajectories. Errors know
-// the line they are about.
+// Text of numbers whose first line names its columns, in any order and among others: rays, trajectories. Commas are
+// the point of numbers where decimal_commas.h finds them so. Errors know the line they are about.
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/io/number_text.h"
-#include "core/io/text/text_rows.h"
+#include "core/io/text/decimal_commas.h"
 
 #include <algorithm>
 #include <array>
@@ -19,14 +18,27 @@ inline std::size_t textBegin(const FileBytes& file) {
     return file.bytes().starts_with("\xef\xbb\xbf") ? 3 : 0;
 }
 
-/// Column by column of one line; errors know where it stands.
+/// How the rows of a file are read that may begin with a line of names. Throws base::Error where its commas part
+/// thousands, or stand for the point and between fields as well.
+inline RowRules namedRulesOf(const FileBytes& file, const base::Progress& progress) {
+    const TextRows rows(file, textBegin(file), namedRowRules, {progress});
+    RowRules out = namedRowRules;
+    if (rows.count() == 0)
+        return out;
+    const auto head = rows.fields(rows.row(0));
+    const bool names = std::none_of(head.begin(), head.end(), [&](auto field) { return rows.isNumber(field); });
+    out.decimalComma = !decimalCommaIn(file, rows, names ? 1 : 0, names ? head.size() : 0).empty();
+    return out;
+}
+
+/// Column by column of one line; errors know where it stands. REQUIRES: file and rows outlive it.
 class NumberRow {
   public:
     NumberRow(const FileBytes& file, const TextRows& rows, std::string_view line)
-        : m_file(file), m_line(line), m_fields(rows.fields(line)) {}
+        : m_file(file), m_rows(rows), m_line(line), m_fields(rows.fields(line)) {}
 
     double number(std::size_t column, const char* form) const {
-        const auto value = column < m_fields.size() ? numberOf(m_fields[column]) : std::nullopt;
+        const auto value = column < m_fields.size() ? m_rows.number(m_fields[column]) : std::nullopt;
         if (!value)
             fail(column < m_fields.size() ? "'" + std::string(m_fields[column]) + "' is not a number"
                                           : "the line has too few numbers",
@@ -40,11 +52,12 @@ class NumberRow {
     /// Not one of its fields is a number.
     bool isHeader() const {
         return std::none_of(m_fields.begin(), m_fields.end(),
-                            [](std::string_view field) { return numberOf(field).has_value(); });
+                            [&](std::string_view field) { return m_rows.isNumber(field); });
     }
 
   private:
     const FileBytes& m_file;
+    const TextRows& m_rows;
     std::string_view m_line;
     std::vector<std::string_view> m_fields;
 };
@@ -80,7 +93,7 @@ class NamedColumns {
 template <std::size_t N, class Take>
 void forNamedRows(const FileBytes& file, const base::Progress& progress, const typename NamedColumns<N>::Names& names,
                   const char* begin, const Take& take) {
-    const TextRows rows(file, textBegin(file), namedRowRules, {progress});
+    const TextRows rows(file, textBegin(file), namedRulesOf(file, progress), {progress});
     std::optional<NamedColumns<N>> columns;
     rows.forRows(0, [&](std::string_view line) {
         const NumberRow row(file, rows, line);

@@ -29,6 +29,7 @@ class QueryTest : public QObject {
     void causesAndAgreementAreTold();
     void curvesAnswerTheSameQuestions();
     void byteOrderMarksArePassedOver();
+    void decimalCommasMeanWhatPointsMean();
 };
 
 static std::string number(double value) {
@@ -180,6 +181,42 @@ void QueryTest::largeOriginsComeBack() {
     QCOMPARE(hits[1][0], std::string("1"));
     QVERIFY(std::abs(std::stod(hits[1][1]) - 4) < 0.1);
     QVERIFY(base::distance(vectorAt(hits[1], 2), far + Vec3d{0, 0, 1}) < 0.1);
+}
+
+/// What spreadsheets write where people count with commas: positions, rays and the ways of tools.
+void QueryTest::decimalCommasMeanWhatPointsMean() {
+    const Program program;
+    const auto answer = [&](const QStringList& arguments, const std::string& text) {
+        program.write("in.csv", text);
+        const Outcome outcome = program.run(arguments + QStringList{"in.csv", "-o", "out.csv", "sample:sphere:4000"});
+        if (outcome.code != 0)
+            return "refused: " + outcome.err;
+        std::string out;
+        for (const auto& row : rowsOf(program.read("out.csv")))
+            for (std::size_t k = 0; k < row.size() && k < 11; ++k) // but for the time that a haptic step took
+                out += row[k] + " ";
+        return out;
+    };
+    const QStringList query{"query", "--what", "value", "--at"}, intersect{"intersect", "--rays"},
+        haptic{"haptic", "--trajectory"};
+    struct Asked {
+        QStringList arguments;
+        std::string points, doubled;
+    };
+    for (const Asked& asked :
+         {Asked{query, "0.5;0.25;0.82\n0;0;1.01\n", "x,y,z\n0,5,0,25,0,82\n"},
+          {query, "x;y;z\n0;0;1\n0.5;0.25;0.82\n", "0,50,0,05,0,82\n"},
+          {intersect, "ox;oy;oz;dx;dy;dz\n0.5;0.25;3.5;0;0;-1\n", "ox,oy,oz,dx,dy,dz\n0,5,0,25,3,5,0,0,0,0,-1,0\n"},
+          {haptic, "t;x;y;z\n0;0;0;1.5\n0.001;0;0.25;0.9\n", "t,x,y,z\n0,0,0,0,0,0,1,5\n"}}) {
+        std::string commas = asked.points;
+        std::replace(commas.begin(), commas.end(), '.', ',');
+        const std::string wanted = answer(asked.arguments, asked.points);
+        QVERIFY2(wanted.size() > 40 && wanted.find("nan") == std::string::npos && !wanted.starts_with("refused"),
+                 wanted.c_str());
+        QCOMPARE(answer(asked.arguments, commas), wanted);
+        const std::string refused = answer(asked.arguments, asked.doubled);
+        QVERIFY2(refused.starts_with("refused") && refused.find("semicolons") != std::string::npos, refused.c_str());
+    }
 }
 
 void QueryTest::modelsServeAsPositions() {

@@ -96,4 +96,26 @@ Commas commasIn(std::string_view row, std::size_t columns, std::string& example)
     return Commas::Decimal;
 }
 
+std::string decimalCommaIn(const FileBytes& file, const TextRows& rows, std::size_t first, std::size_t columns) {
+    constexpr int most = 100;
+    std::string example;
+    Commas found = Commas::Separators;
+    std::size_t row = first;
+    DoubledCommas doubled(columns);
+    rows.forRows(first, [&](std::string_view line) {
+        found = commasIn(line, columns, example);
+        doubled.look(line);
+        return found == Commas::Separators && ++row - first < most;
+    });
+    if (found == Commas::Thousands)
+        file.failAt(rows.offset(row), inQuotes(example) + " holds separators of thousands",
+                    "write numbers without them, as 1234.5");
+    if (found == Commas::Separators && !doubled.found().empty())
+        file.failAt(rows.offset(first),
+                    "begins with " + inQuotes(doubled.found()) +
+                        ": commas seem to stand for the point and between numbers as well",
+                    "write points in numbers, or semicolons between them");
+    return found == Commas::Decimal ? example : std::string();
+}
+
 } // namespace io

@@ -1,6 +1,8 @@
 // Commas in rows of numbers: between fields, for the point, or between thousands.
 #pragma once
 
+#include "core/io/text/text_rows.h"
+
 #include <string>
 #include <string_view>
 
@@ -32,5 +34,10 @@ class DoubledCommas {
     std::string m_first;
     bool m_fits = true, m_even = true, m_zero = false;
 };
+
+/// A field with a decimal comma where rows from the `first` on have such, by the first that tells; else empty.
+/// `columns` as above. Throws base::Error where commas part thousands, or stand for the point and between fields as
+/// well.
+std::string decimalCommaIn(const FileBytes& file, const TextRows& rows, std::size_t first, std::size_t columns);
 
 } // namespace io

@@ -114,29 +114,11 @@ void TextReader::readHead(const TextRows& rows) {
     m_file.fail("holds no points", "choose a file with at least one");
 }
 
-/// Looks at the first rows of numbers, until one tells.
 bool TextReader::hasDecimalCommas(const TextRows& rows) {
-    constexpr int most = 100;
-    std::string example;
-    Commas found = Commas::Separators;
-    std::size_t row = m_firstRow;
-    DoubledCommas doubled(m_names.size());
-    rows.forRows(m_firstRow, [&](std::string_view line) {
-        found = commasIn(line, m_names.size(), example);
-        doubled.look(line);
-        return found == Commas::Separators && ++row - m_firstRow < most;
-    });
-    if (found == Commas::Thousands)
-        m_file.failAt(rows.offset(row), inQuotes(example) + " holds separators of thousands",
-                      "write numbers without them, as 1234.5");
-    if (found == Commas::Separators && !doubled.found().empty())
-        m_file.failAt(rows.offset(m_firstRow),
-                      "begins with " + inQuotes(doubled.found()) +
-                          ": commas seem to stand for the point and between numbers as well",
-                      "write points in numbers, or semicolons between them");
-    if (found == Commas::Decimal)
+    const std::string example = decimalCommaIn(m_file, rows, m_firstRow, m_names.size());
+    if (!example.empty())
         m_model.messages.push_back("Commas were read as decimal commas, as in " + inQuotes(example) + ".");
-    return found == Commas::Decimal;
+    return !example.empty();
 }
 
 /// In place of those that the file tells.

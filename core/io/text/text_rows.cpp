@@ -139,10 +139,12 @@ static const char* parseAny(const RowRules& rules, const char* begin, const char
     return rules.decimalComma ? parseCommaNumber(begin, end, out) : parseNumber(begin, end, out);
 }
 
-bool TextRows::isNumber(std::string_view field) const {
+std::optional<double> TextRows::number(std::string_view field) const {
     double value = 0;
     const char *const begin = field.data(), *const end = begin + field.size();
-    return !field.empty() && parseAny(m_rules, begin, end, value) == end;
+    if (field.empty() || parseAny(m_rules, begin, end, value) != end)
+        return {};
+    return value;
 }
 
 /// A number in quotes, nan where they hold nothing. The cursor goes behind it.

@@ -6,6 +6,7 @@
 
 #include "core/io/text/text_lines.h"
 
+#include <optional>
 #include <span>
 
 namespace io {
@@ -35,8 +36,9 @@ class TextRows {
     /// Whether rows from the k-th on differ in how many fields they have, and some (of 10,000) have `wanted`.
     bool isRagged(std::size_t k, std::size_t wanted) const;
 
-    /// Whether a field is a number by these rules.
-    bool isNumber(std::string_view field) const;
+    /// A whole field as a number by these rules.
+    std::optional<double> number(std::string_view field) const;
+    bool isNumber(std::string_view field) const { return number(field).has_value(); }
     /// Fields of a row, without comments; quotes around a field are taken off.
     std::vector<std::string_view> fields(std::string_view row) const;
 
