@@ -37,17 +37,21 @@ class SelectToolsTest : public QObject {
     void buttonsChangeWhatIsSelected();
     void framingTakesWhatIsSelected();
     void keysHideAndShowParts();
+    void whoAsksForTheBarSelects();
 };
 
 namespace {
 
-/// A ball with the bar shown and a way chosen.
+/// A ball with the bar shown and no way chosen yet.
 struct Bar {
     WindowFixture f;
     bool ready = f.make("sphere", 4000);
     ui::SelectBar& bar = *f.window->findChild<ui::SelectBar*>();
 
-    Bar() { bar.toggleViewAction()->trigger(); }
+    Bar() {
+        bar.toggleViewAction()->trigger();
+        f.window->escape();
+    }
     QToolButton& button(const char* name) { return *bar.findChild<QToolButton*>(QString("select-") + name); }
     void click(const char* name) {
         button(name).click();
@@ -298,6 +302,26 @@ void SelectToolsTest::framingTakesWhatIsSelected() {
 }
 
 /// What is hidden is not in the picture, and no stroke meets it.
+/// A drag after B sculpted, until a way was chosen as well. Del takes out what it selected.
+void SelectToolsTest::whoAsksForTheBarSelects() {
+    Bar t;
+    t.bar.toggleViewAction()->trigger();
+    t.bar.toggleViewAction()->trigger();
+    t.f.drag(t.at(0.5, 0), t.at(1, 1));
+    const std::size_t chosen = t.selected();
+    QVERIFY(chosen > 1000 && chosen < 3000);
+    auto* action = t.f.window->findChild<QAction*>("select-delete");
+    QVERIFY(action && action->shortcut() == QKeySequence("Del"));
+    action->trigger();
+    t.f.settle();
+    QCOMPARE(t.model().size(), 4000 - chosen);
+    t.click("lasso");
+    t.bar.toggleViewAction()->trigger();
+    QVERIFY(t.bar.way() < 0);
+    t.bar.toggleViewAction()->trigger(); // begins with the lasso now
+    QCOMPARE(ui::selectWays()[static_cast<std::size_t>(t.bar.way())].id, std::string_view("lasso"));
+}
+
 void SelectToolsTest::keysHideAndShowParts() {
     Bar t;
     const auto key = [&](const char* name, const char* keys) {

@@ -91,7 +91,7 @@ void SelectBar::addChanges(QHBoxLayout& second, QHBoxLayout& third) {
          {{"op", "selection"}, {"do", "invert"}}},
         {"grow", QT_TR_NOOP("Grow"), QT_TR_NOOP("By half the brush's radius along the surface"), nullptr},
         {"shrink", QT_TR_NOOP("Shrink"), QT_TR_NOOP("By half the brush's radius along the surface"), nullptr},
-        {"delete", QT_TR_NOOP("Delete"), QT_TR_NOOP("Take out what is selected"), {{"op", "delete"}}},
+        {"delete", QT_TR_NOOP("Delete"), QT_TR_NOOP("Take out what is selected"), {{"op", "delete"}}, "Del"},
         {"keep", QT_TR_NOOP("Keep"), QT_TR_NOOP("Take out all that is not selected"), {{"op", "keep"}}},
         {"hide",
          QT_TR_NOOP("Hide"),

@@ -10,6 +10,7 @@
 #include "ui/window/file_dialogs.h"
 #include "ui/window/recovery_dialog.h"
 
+#include <QAbstractButton>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -255,6 +256,7 @@ void FileActions::unlessUnsaved(std::function<void()> next) {
                                 tr("The model has changes that are not saved. Save them first?"),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     box->setIconPixmap(icon("save").pixmap(32, 32));
+    box->button(QMessageBox::Discard)->setText(tr("&Discard"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     connect(box, &QMessageBox::finished, this, [this, next = std::move(next)](int answer) {
         if (answer == QMessageBox::Discard)

@@ -11,6 +11,10 @@ SelectTools::SelectTools(MainWindow& window, SelectBar& bar) : QObject(&bar), m_
     connect(&bar, &SelectBar::wanted, this, &SelectTools::run);
     connect(&bar, &SelectBar::stepWanted, this, &SelectTools::step);
     connect(bar.toggleViewAction(), &QAction::toggled, this, &SelectTools::show);
+    connect(bar.toggleViewAction(), &QAction::triggered, this, [this](bool shown) {
+        if (shown && m_bar.way() < 0) // who asks for the bar wants to select: a drag would sculpt instead
+            choose(m_last);
+    });
 }
 
 void SelectTools::choose(int way) {
@@ -24,6 +28,7 @@ void SelectTools::choose(int way) {
                       m_window.showHint();
                   }});
     m_bar.setWay(way);
+    m_last = way;
     m_bar.show(); // where a key chose
     m_window.showHint(tr(row.tip) + ". " + tr("Shift adds, Ctrl subtracts, Esc goes back to sculpting."));
 }

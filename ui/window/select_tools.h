@@ -25,6 +25,7 @@ class SelectTools : public QObject {
 
     MainWindow& m_window;
     SelectBar& m_bar;
+    int m_last = 0; ///< way chosen last: the one that the bar begins with when it is asked for
 };
 
 } // namespace ui
