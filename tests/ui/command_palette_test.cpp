@@ -6,6 +6,7 @@
 #include "ui/window/command_palette.h"
 #include "ui/window/dropped.h"
 #include "ui/window/keys_dialog.h"
+#include "ui/window/other_words.h"
 #include "ui/window/status_line.h"
 #include "ui/window_fixture.h"
 
@@ -24,6 +25,7 @@ class CommandPaletteTest : public QObject {
   private Q_SLOTS:
     void everyActionOfEveryMenuIsFound();
     void theBestComesFirst();
+    void otherProgramsWordsFindWhatIsMeant();
     void enterRunsWhatIsChosen();
     void keysAreChosenTakenAndKept();
     void droppedFilesAreWhatTheyAre();
@@ -67,6 +69,18 @@ void CommandPaletteTest::theBestComesFirst() {
     typed.setText("no such thing");
     QVERIFY(palette.shown().isEmpty());
     QVERIFY(palette.findChild<QTreeWidget*>()->topLevelItem(0)->text(0).startsWith("Nothing is named so"));
+}
+
+void CommandPaletteTest::otherProgramsWordsFindWhatIsMeant() {
+    WindowFixture f;
+    const auto entries = ui::paletteEntries(*f.window->menuBar());
+    for (const ui::OtherWords& row : ui::otherWordsTable())
+        for (const QString& word : QString(row.words).split(' ')) {
+            const bool found = std::ranges::any_of(entries, [&](const ui::PaletteEntry& each) {
+                return QString(each.label).remove("…") == row.label && ui::fitOf(each, word) > 0;
+            });
+            QVERIFY2(found, qPrintable(QString("%1: %2").arg(row.label, word)));
+        }
 }
 
 void CommandPaletteTest::enterRunsWhatIsChosen() {

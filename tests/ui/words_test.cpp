@@ -29,6 +29,7 @@ class WordsTest : public QObject {
     void translationsKeepPlaceholdersAndEnds();
     void noTranslationIsLeftOver();
     void keysAreTheSameInEveryLanguage();
+    void thePaletteKnowsOtherWordsInGermanToo();
     void entriesOfAMenuHaveLettersOfTheirOwn();
     void aGermanWindowLacksNoWord();
     void commandsTellInGermanWithTheirNumbers();
@@ -182,6 +183,22 @@ void WordsTest::keysAreTheSameInEveryLanguage() {
     const QStringList english = keyIds();
     const German german;
     QCOMPARE(keyIds(), english);
+}
+
+void WordsTest::thePaletteKnowsOtherWordsInGermanToo() {
+    const German german;
+    WindowFixture f;
+    const auto found = [entries = ui::paletteEntries(*f.window->menuBar())](const char* typed) {
+        QStringList out;
+        for (const ui::PaletteEntry& each : entries)
+            if (ui::fitOf(each, typed) > 0)
+                out << QString::fromStdString(ui::keyIdOf(each));
+        return out;
+    };
+    for (const char* typed : {"abziehen", "subtract", "Boolesch", "primitive"})
+        QVERIFY2(found(typed).contains("Model > Solids > Add a shape…"), typed);
+    for (const char* typed : {"neue ebene", "new layer"})
+        QVERIFY2(!found(typed).filter("View > ").isEmpty(), typed);
 }
 
 static void checkLetters(const QList<QAction*>& actions) {

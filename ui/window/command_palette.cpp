@@ -1,5 +1,8 @@
 #include "ui/window/command_palette.h"
 
+#include "ui/window/other_words.h"
+#include "ui/words/words.h"
+
 #include <algorithm>
 #include <QAction>
 #include <QHeaderView>
@@ -18,6 +21,11 @@ static QString plain(const QString& text) {
     return QString(text).remove('&');
 }
 
+static QString englishLabelOf(const QAction& action, const QString& label) {
+    const QString said = action.property(inEnglish).toString();
+    return said.isEmpty() ? englishOf(label) : said;
+}
+
 static void collect(const QList<QAction*>& actions, const QString& way, std::vector<PaletteEntry>& out) {
     for (QAction* action : actions) {
         const QString label = plain(action->text());
@@ -25,7 +33,7 @@ static void collect(const QList<QAction*>& actions, const QString& way, std::vec
             Q_EMIT menu->aboutToShow(); // some menus say then what they are about
             collect(menu->actions(), way.isEmpty() ? label : way + " > " + label, out);
         } else if (!action->isSeparator() && !label.isEmpty())
-            out.push_back({label, way, action});
+            out.push_back({label, way, action, otherWords(englishLabelOf(*action, label))});
     }
 }
 
@@ -44,7 +52,7 @@ int fitOf(const PaletteEntry& entry, const QString& typed) {
             out += 4;
         else if (entry.label.contains(word, Qt::CaseInsensitive))
             out += 2;
-        else if (!entry.way.contains(word, Qt::CaseInsensitive) &&
+        else if (!entry.way.contains(word, Qt::CaseInsensitive) && !entry.others.contains(word, Qt::CaseInsensitive) &&
                  !(entry.action && entry.action->toolTip().contains(word, Qt::CaseInsensitive)))
             return 0;
     }

@@ -13,16 +13,19 @@ class QTreeWidget;
 
 namespace ui {
 
-/// An entry of a menu: what it is called, and through which menus one comes to it ("View > Shading").
+/// An entry of a menu: what it is called, through which menus one comes to it ("View > Shading"), and what else it is
+/// called (other_words.h).
 struct PaletteEntry {
     QString label, way;
     QPointer<QAction> action;
+    QString others = {};
 };
 
 /// Of all menus and those in them, in their order; separators and menus themselves are none.
 std::vector<PaletteEntry> paletteEntries(const QMenuBar& bar);
 
-/// How well words fit an entry: every one has to occur in its label or way; more for beginnings of words of the label.
+/// How well words fit an entry: every one has to occur in its label, its way, what it says of itself or its other
+/// words; more for beginnings of words of the label.
 /// 0: not at all.
 int fitOf(const PaletteEntry& entry, const QString& typed);
 

@@ -4237,6 +4237,10 @@
         <translation>über 1 werden mittlere Töne heller, unter 1 dunkler</translation>
     </message>
     <message>
+        <source>add new layer strength</source>
+        <translation>neue Ebene hinzufügen Stärke</translation>
+    </message>
+    <message>
         <source>add the points of the model that this one was moved onto</source>
         <translation>die Punkte des Modells dazunehmen, auf das dieses bewegt wurde</translation>
     </message>
@@ -4263,6 +4267,10 @@
     <message>
         <source>add: the models of a file; activate: commands and tools work on it; move: turn and move it; place: where its file's origin and axes come to stand; apply: put its place into its points; split: what is selected becomes a model; join: all that is shown, or the one of that name, goes into the active one</source>
         <translation>Hinzufügen: die Modelle einer Datei; Aktivieren: Befehle und Werkzeuge wirken darauf; Verschieben: drehen und bewegen; Platzieren: wohin Ursprung und Achsen seiner Datei kommen; Anwenden: seine Lage in die Punkte übernehmen; Aufteilen: Ausgewähltes wird ein Modell; Verbinden: alles Sichtbare, oder das mit diesem Namen, geht im aktiven auf</translation>
+    </message>
+    <message>
+        <source>align icp scans</source>
+        <translation>ausrichten icp Scans</translation>
     </message>
     <message>
         <source>another model: how far each point is from its surface, &gt; 0 on the side of its normals, goes into the attribute "deviation"</source>
@@ -4313,8 +4321,16 @@
         <translation>Weichzeichnen, Schärfen: Radius, über den gemittelt wird; Erweitern, Verkleinern: wie weit, entlang der Fläche</translation>
     </message>
     <message>
+        <source>boolean subtract add union difference intersection</source>
+        <translation>boolesch abziehen vereinigen Vereinigung Differenz Schnittmenge</translation>
+    </message>
+    <message>
         <source>border: what lies at the edge of it; copy: select as the mask has it</source>
         <translation>Rand: was an ihrem Rand liegt; Kopieren: auswählen, wie die Maske es hat</translation>
+    </message>
+    <message>
+        <source>bore subtract</source>
+        <translation>Bohrung abziehen</translation>
     </message>
     <message>
         <source>by which it is enlarged first</source>
@@ -4335,6 +4351,10 @@
     <message>
         <source>cavity: mask hollows; curvature: mask what is curved; copy: mask what is selected</source>
         <translation>Vertiefungen: Hohles maskieren; Krümmung: Gekrümmtes maskieren; Kopieren: Ausgewähltes maskieren</translation>
+    </message>
+    <message>
+        <source>close repair watertight</source>
+        <translation>schließen reparieren wasserdicht</translation>
     </message>
     <message>
         <source>close what was cut, as dense as the model is beside it</source>
@@ -4359,6 +4379,10 @@
     <message>
         <source>cuts the seam flat, between where a ball of this radius touches both sides; on planes at right angles it takes as much of each</source>
         <translation>schneidet die Naht flach, zwischen den Stellen, wo eine Kugel dieses Radius beide Seiten berührt; bei Ebenen im rechten Winkel nimmt es von jeder gleich viel</translation>
+    </message>
+    <message>
+        <source>decimate simplify fewer</source>
+        <translation>dezimieren vereinfachen weniger</translation>
     </message>
     <message>
         <source>degrees</source>
@@ -4517,6 +4541,10 @@
         <translation>höchstens so weit wird die Fläche gehoben oder gesenkt</translation>
     </message>
     <message>
+        <source>move rotate scale translate</source>
+        <translation>bewegen verschieben drehen skalieren</translation>
+    </message>
+    <message>
         <source>move: 1 is the lowest</source>
         <translation>Verschieben: 1 ist die unterste</translation>
     </message>
@@ -4645,6 +4673,10 @@
         <translation>Punkte, über die ausläuft, was noch verschieden ist; 0: nur die Helligkeit ganzer Scans</translation>
     </message>
     <message>
+        <source>primitive boolean subtract union difference</source>
+        <translation>Grundkörper boolesch abziehen Vereinigung Differenz</translation>
+    </message>
+    <message>
         <source>px</source>
         <translation>px</translation>
     </message>
@@ -4661,6 +4693,10 @@
         <translation>die neuen Punkte heben und neigen, bis ihre Fläche die vorige ist, damit sich nichts abnutzt</translation>
     </message>
     <message>
+        <source>remesh even spacing</source>
+        <translation>remesh gleichmäßig Abstand</translation>
+    </message>
+    <message>
         <source>rename, duplicate, split: the new name</source>
         <translation>Umbenennen, Duplizieren, Aufteilen: der neue Name</translation>
     </message>
@@ -4675,6 +4711,10 @@
     <message>
         <source>samples of the faces get labels of cells that meet in the sharp edges; off only keeps their normals apart, and edges are rounded over about a support; by default as far as there are edges to keep</source>
         <translation>Abtastungen der Flächen werden als Zellen gekennzeichnet, die sich in den scharfen Kanten treffen; off trennt nur ihre Normalen, und Kanten sind über etwa einen Stützradius gerundet; ohne Angabe, soweit es Kanten zu halten gibt</translation>
+    </message>
+    <message>
+        <source>screenshot picture render png</source>
+        <translation>Bildschirmfoto Bild rendern png</translation>
     </message>
     <message>
         <source>second pass that keeps nearby sheets apart</source>
@@ -4705,6 +4745,10 @@
         <translation>kleinster Abstand, wo er der Krümmung folgt</translation>
     </message>
     <message>
+        <source>slice halve</source>
+        <translation>schneiden halbieren</translation>
+    </message>
+    <message>
         <source>smallest support radius on which curvature is measured, for supports from neighbours</source>
         <translation>kleinster Stützradius, auf dem Krümmung gemessen wird, für Stützradien aus Nachbarn</translation>
     </message>
@@ -4727,6 +4771,14 @@
     <message>
         <source>steps in depth count from so many distances between neighbouring beams on</source>
         <translation>Tiefensprünge zählen ab so vielen Abständen benachbarter Strahlen</translation>
+    </message>
+    <message>
+        <source>stl obj triangles wireframe convert print</source>
+        <translation>stl obj Dreiecke Drahtgitter umwandeln drucken</translation>
+    </message>
+    <message>
+        <source>strays floaters specks</source>
+        <translation>Ausreißer Streupunkte Flecken</translation>
     </message>
     <message>
         <source>surfels</source>
@@ -5449,6 +5501,38 @@
         <translation>%1, %2 und %3 wurden als x, y und z genommen.</translation>
     </message>
     <message>
+        <source>Found %1 edge with more than two faces.</source>
+        <translation>%1 Kante mit mehr als zwei Flächen gefunden.</translation>
+    </message>
+    <message>
+        <source>Found %1 edges with more than two faces.</source>
+        <translation>%1 Kanten mit mehr als zwei Flächen gefunden.</translation>
+    </message>
+    <message>
+        <source>Found %1 shape with %2 of %3 points; the attribute shape has their numbers, for select by range and colours.</source>
+        <translation>%1 Form mit %2 von %3 Punkten gefunden; das Attribut shape enthält ihre Nummern, für die Auswahl nach Bereich und Farben.</translation>
+    </message>
+    <message>
+        <source>Found %1 shapes with %2 of %3 points; the attribute shape has their numbers, for select by range and colours.</source>
+        <translation>%1 Formen mit %2 von %3 Punkten gefunden; das Attribut shape enthält ihre Nummern, für die Auswahl nach Bereich und Farben.</translation>
+    </message>
+    <message>
+        <source>Left out %1 repeated triangle.</source>
+        <translation>%1 doppeltes Dreieck weggelassen.</translation>
+    </message>
+    <message>
+        <source>Left out %1 repeated triangles.</source>
+        <translation>%1 doppelte Dreiecke weggelassen.</translation>
+    </message>
+    <message>
+        <source>Left out %1 triangle inside of the solid.</source>
+        <translation>%1 Dreieck im Inneren des Körpers weggelassen.</translation>
+    </message>
+    <message>
+        <source>Left out %1 triangles inside of the solid.</source>
+        <translation>%1 Dreiecke im Inneren des Körpers weggelassen.</translation>
+    </message>
+    <message>
         <source>Left out %1 vertices of no face; --faces vertices keeps them.</source>
         <translation>%1 Ecken ohne Fläche weggelassen; --faces vertices behält sie.</translation>
     </message>
@@ -5521,6 +5605,14 @@
         <translation>Ausreißer (Fläche): %1 von %2 Punkten entfernt, %3 %.</translation>
     </message>
     <message>
+        <source>Reversed %1 triangle that faced the other way.</source>
+        <translation>%1 Dreieck umgedreht, das andersherum lag.</translation>
+    </message>
+    <message>
+        <source>Reversed %1 triangles that faced the other way.</source>
+        <translation>%1 Dreiecke umgedreht, die andersherum lagen.</translation>
+    </message>
+    <message>
         <source>Rounded %1 of %2 sharp edges, which look like noise; with creases on, all stay sharp.</source>
         <translation>%1 von %2 scharfen Kanten gerundet, die wie Rauschen aussehen; mit Falzen bleiben alle scharf.</translation>
     </message>
@@ -5547,6 +5639,14 @@
     <message>
         <source>Thin: %1 of %2 points removed, %3 left that are no closer than %4.</source>
         <translation>Ausdünnen: %1 von %2 Punkten entfernt, %3 bleiben, die nicht näher als %4 liegen.</translation>
+    </message>
+    <message>
+        <source>Turned %1 closed piece that was inside out.</source>
+        <translation>%1 geschlossenes Stück gewendet, dessen Innenseite außen war.</translation>
+    </message>
+    <message>
+        <source>Turned %1 closed pieces that were inside out.</source>
+        <translation>%1 geschlossene Stücke gewendet, deren Innenseite außen war.</translation>
     </message>
     <message>
         <source>Turned normals of closed faces that looked inwards.</source>
