@@ -241,8 +241,10 @@ void SolidCommandsTest::wrongNumbersAreRefused() {
           R"({"op":"primitive","size":"-1"})", R"({"op":"primitive","size":"1e9","spacing":1e-3})",
           R"({"op":"drill","from":"5,5,5","direction":"0,0,1","radius":0.1})",
           R"({"op":"drill","from":"0,0,3","direction":"0,0,0","radius":0.1})",
-          R"({"op":"drill","from":"0,0,3","direction":"0,0,-1","radius":0.01})", R"({"op":"hollow","thickness":2})",
-          R"({"op":"mirror","plane":"1,0,0,9"})", R"({"op":"fill","holes":0})"}) {
+          R"({"op":"drill","from":"0,0,3","direction":"0,0,-1","radius":0.01})",
+          R"({"op":"tube","along":[[0,0,2],[0,0,0]],"radius":0.01})",
+          R"({"op":"tube","along":[[0,0,0],[0.5,0,0.2],[1.5,0,0]],"radius":0.01,"operation":"difference"})",
+          R"({"op":"hollow","thickness":2})", R"({"op":"mirror","plane":"1,0,0,9"})", R"({"op":"fill","holes":0})"}) {
         QVERIFY2(!bench.refusal(json::parse(line)).empty(), line);
         QCOMPARE(bench.hash(), before);
     }

@@ -1,5 +1,6 @@
 #include "core/session/commands/combined_model.h"
 
+#include "core/base/short_number.h"
 #include "core/process/estimation/spacing_sample.h"
 #include "core/session/number_text_list.h"
 #include "core/session/place_text.h"
@@ -124,6 +125,16 @@ double spacingNear(const surface::Surface& model, const base::Vec3d& place) {
     const tree::Neighbour& at = near.front();
     const auto spacing = static_cast<double>(process::spacingAround(model.tree(), at.block->position(at.slot)));
     return spacing > 0 ? spacing : static_cast<double>(at.block->support(at.slot)) * surface::spacingOfUnit;
+}
+
+void requireWidth(const surface::Surface& model, const base::Vec3d& place, double radius, const char* what,
+                  const char* command) {
+    constexpr double narrowest = 1.5; // diameters in spacings: balls drilled at 1.06 stay closed, at 1.66 they are open
+    const double spacing = spacingNear(model, place);
+    if (2 * radius < narrowest * spacing)
+        throw base::Error(std::string("the ") + what + " is too narrow for points that are " +
+                              base::shortNumber(spacing) + " apart there",
+                          command, "make it wider, or make the points denser there");
 }
 
 solid::Pose poseOf(const nlohmann::json& complete, const base::Vec3d& origin) {

@@ -31,6 +31,12 @@ base::Plane planeOf(const std::string& text, const base::Vec3d& origin);
 /// Between surfels where the model is nearest to a place. REQUIRES: a model.
 double spacingNear(const surface::Surface& model, const base::Vec3d& place);
 
+/// Throws base::Error of `command` where something round of that radius, such as a "hole", that goes through the
+/// surface at `place` is too narrow for the points there: no seam would be found, and both would only run through each
+/// other.
+void requireWidth(const surface::Surface& model, const base::Vec3d& place, double radius, const char* what,
+                  const char* command);
+
 /// "position" and "rotation" of a command, relative to the model's origin.
 solid::Pose poseOf(const nlohmann::json& complete, const base::Vec3d& origin);
 

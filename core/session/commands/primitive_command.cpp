@@ -1,5 +1,4 @@
 #include "core/base/error.h"
-#include "core/base/short_number.h"
 #include "core/base/unit_normal.h"
 #include "core/session/commands/combined_model.h"
 #include "core/session/commands/commands.h"
@@ -9,10 +8,6 @@
 #include <nlohmann/json.hpp>
 
 namespace session {
-
-/// Diameters in spacings below which no seam is found: the hole would stay closed at both ends. Balls at 1.06 do,
-/// at 1.66 they are open.
-constexpr double narrowestHole = 1.5;
 
 using nlohmann::json;
 
@@ -106,10 +101,8 @@ static void drill(Context& context, const json& complete) {
     const surface::RayHit<double> hit = surface::intersectReference(model, {from, direction});
     if (!hit.hit)
         throw base::Error("the drill misses the model", "drill", "aim at it: give another \"from\" or \"direction\"");
+    requireWidth(model, hit.position, radius, "hole", "drill");
     const double spacing = spacingNear(model, hit.position);
-    if (2 * radius < narrowestHole * spacing)
-        throw base::Error("the hole is too narrow for points that are " + base::shortNumber(spacing) + " apart there",
-                          "drill", "make it wider, or make the points denser there");
     const auto [first, last] = alongModel(model, from, direction);
     const double begin = first - radius, end = depth > 0 ? hit.t + depth : last + radius;
     const solid::Pose pose = solid::poseAlong(from + direction * (0.5 * (begin + end)), direction);

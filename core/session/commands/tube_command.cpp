@@ -3,6 +3,7 @@
 #include "core/session/commands/commands.h"
 #include "core/session/number_lists.h"
 #include "core/solid/tube.h"
+#include "core/surface/rays/intersect.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,30 @@ namespace session {
 
 using base::Vec3d;
 using nlohmann::json;
+
+/// The surfel nearest to the place and the length of its support tell whether the surface can be within `reach`.
+static bool isNear(const surface::Surface& model, const Vec3d& place, double reach) {
+    std::vector<tree::Neighbour> near;
+    model.tree().nearest(base::cast<float>(place), 1, near);
+    const tree::Neighbour& at = near.front();
+    return base::distance(base::cast<double>(at.block->position(at.slot)), place) <
+           reach + static_cast<double>(at.block->support(at.slot));
+}
+
+/// Throws where the tube is too narrow for a seam. Of each piece of the line, the first and the last place on the
+/// surface are looked at.
+static void requireWidthAlong(const surface::Surface& model, const std::vector<Vec3d>& line, double radius) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const double length = base::distance(line[i], line[i + 1]);
+        if (!(length > 0) || !isNear(model, line[i], length))
+            continue;
+        for (const auto& [from, to] : {std::pair(line[i], line[i + 1]), std::pair(line[i + 1], line[i])}) {
+            const auto hit = surface::intersectReference(model, {from, base::normalized(to - from)});
+            if (hit.hit && hit.t <= length)
+                requireWidth(model, hit.position, radius, "tube", "tube");
+        }
+    }
+}
 
 static void tube(Context& context, const json& complete) {
     requireModel(context);
@@ -19,6 +44,7 @@ static void tube(Context& context, const json& complete) {
         solid::curveThrough(placesOf(context, complete, "along"), radius, complete.at("smooth").get<bool>());
     if (line.size() < 2)
         throw base::Error("\"along\" has fewer than two places", "tube", "give two at least, with three numbers each");
+    requireWidthAlong(model, line, radius);
     constexpr double finest = 0.4; // radii: a dozen points around it at least
     const double spacing = complete.contains("spacing") ? complete.at("spacing").get<double>()
                                                         : std::min(spacingNear(model, line.front()), finest * radius);
