@@ -17,12 +17,18 @@ using surface::BoundaryCurve, surface::BoundaryPoint;
 
 namespace {
 
-/// The middle of its points.
+/// By its length: points are denser where it bends.
 base::Vec3d middleOf(const BoundaryCurve& curve) {
     base::Vec3d sum;
-    for (const BoundaryPoint& p : curve.points)
-        sum += p.position;
-    return sum / static_cast<double>(std::max<std::size_t>(curve.points.size(), 1));
+    double length = 0;
+    const std::size_t count = curve.points.size();
+    for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < count; ++i) {
+        const base::Vec3d a = curve.points[i].position, b = curve.points[(i + 1) % count].position;
+        const double piece = base::distance(a, b);
+        sum += (a + b) * (piece / 2);
+        length += piece;
+    }
+    return length > 0 ? sum / length : count > 0 ? curve.points.front().position : sum;
 }
 
 void tell(const std::vector<BoundaryCurve>& curves, const session::Document& document) {

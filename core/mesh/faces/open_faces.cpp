@@ -194,25 +194,19 @@ bool hasRims(const FaceTopology& topology) {
     return !topology.closed() && !broken(topology) && !topology.borderEdges.empty();
 }
 
-/// What had to be mended before the faces could be used; empty where nothing.
-std::string mended(const FaceTopology& topology) {
-    std::string out;
-    const auto add = [&out](const std::string& what) { out += (out.empty() ? "" : ", ") + what; };
-    if (topology.repeated > 0)
-        add("left out " + counted(topology.repeated, "repeated triangle", "repeated triangles"));
-    if (topology.inside > 0)
-        add((topology.repeated > 0 ? "" : "left out ") + counted(topology.inside, "triangle", "triangles") +
-            " inside of the solid");
-    if (topology.reversed > 0)
-        add("reversed " + counted(topology.reversed, "triangle", "triangles") + " that faced the other way");
-    if (topology.turnedOut > 0)
-        add("turned " + counted(topology.turnedOut, "closed piece that was", "closed pieces that were") +
-            " inside out");
-    if (topology.nonManifold > 0)
-        add("found " + counted(topology.nonManifold, "edge", "edges") + " with more than two faces");
-    if (!out.empty())
-        out[0] = static_cast<char>(out[0] - 'a' + 'A');
-    return out.empty() ? out : out + ".";
+/// What had to be mended before the faces could be used, a sentence each.
+std::vector<std::string> mended(const FaceTopology& topology) {
+    std::vector<std::string> out;
+    const auto add = [&out](const char* done, std::size_t count, const char* one, const char* many) {
+        if (count > 0)
+            out.push_back(done + counted(count, one, many) + ".");
+    };
+    add("Left out ", topology.repeated, "repeated triangle", "repeated triangles");
+    add("Left out ", topology.inside, "triangle inside of the solid", "triangles inside of the solid");
+    add("Reversed ", topology.reversed, "triangle that faced the other way", "triangles that faced the other way");
+    add("Turned ", topology.turnedOut, "closed piece that was inside out", "closed pieces that were inside out");
+    add("Found ", topology.nonManifold, "edge with more than two faces", "edges with more than two faces");
+    return out;
 }
 
 /// Whether two closed pieces may run into each other, by their boxes.
@@ -305,8 +299,8 @@ OpenedFaces openFaces(SurfelList vertices, std::span<const Triangle> triangles,
                                    " of no face; --faces vertices keeps " + (loose > 1 ? "them." : "it."));
     };
     out.closed = topology.closed();
-    if (const std::string what = mended(topology); !what.empty())
-        out.messages.push_back(what);
+    for (std::string& what : mended(topology))
+        out.messages.push_back(std::move(what));
     if (options.use == FaceUse::Vertices ||
         (options.use == FaceUse::Auto && options.count == 0 && options.spacing <= 0 &&
          sampleWell(topology, positions) && !(options.creases != false && hasSureCreases(topology)))) {

@@ -64,8 +64,9 @@ void tell(Context& context, const DetectedShapes& found) {
         context.messages.push_back("No shape of at least " + std::to_string(found.fewest) +
                                    " points was found; fewer can be asked for, or a larger tolerance.");
     else
-        context.messages.push_back("Found " + std::to_string(found.shapes.size()) + " shapes with " +
-                                   std::to_string(on) + " of " + std::to_string(all) +
+        context.messages.push_back("Found " + std::to_string(found.shapes.size()) +
+                                   (found.shapes.size() == 1 ? " shape with " : " shapes with ") + std::to_string(on) +
+                                   " of " + std::to_string(all) +
                                    " points; the attribute shape has their numbers, for select by range and colours.");
 }
 
