@@ -121,6 +121,12 @@ static std::string fallbackOf(const session::CommandParameter& p) {
     if (!*p.fallback)
         return {};
     const json value = json::parse(p.fallback);
+    if (p.type == std::string_view("choices")) {
+        std::string out;
+        for (const json& each : value)
+            out += (out.empty() ? "" : ",") + each.get<std::string>();
+        return out;
+    }
     if (value.is_boolean())
         return value.get<bool>() ? "on" : "off";
     return value.is_null() ? std::string() : value.is_string() ? value.get<std::string>() : value.dump();

@@ -252,6 +252,7 @@ void TextReaderTest::damagedFilesAreRefusedInOneSentence_data() {
                            << "is not a number";
     QTest::newRow("binary") << QByteArray("1 2 3\n\0\1\2", 9) << "is binary";
     QTest::newRow("Expe") << QByteArray("[Expe/PointSet/Binary/0.1]\nproperty") << "Expe";
+    QTest::newRow("one value") << QByteArray("1 2 3\n4 5 6\n7\n") << "line 3: holds 1 value where 3";
     QTest::newRow("short row") << QByteArray("1 2 3\n4 5 6\n7 8\n") << "line 3: holds 2 values where 3";
     QTest::newRow("long row") << QByteArray("1 2 3\n4 5 6 7\n") << "line 2: holds more than the 3";
     QTest::newRow("word") << QByteArray("1 2 3\n4 five 6\n") << "line 2: 'five' is not a number";

@@ -204,7 +204,8 @@ void TextRows::fail(std::size_t offset, std::span<const int> targets) const {
     }
     m_lines.file().failAt(offset,
                           fault == Fault::TooFew
-                              ? "holds " + std::to_string(found) + " values where " + expected + " are expected"
+                              ? "holds " + std::to_string(found) + (found == 1 ? " value" : " values") + " where " +
+                                    expected + " are expected"
                               : "holds more than the " + expected + " values that are expected",
                           m_rules.separators ? "correct the line, or name the columns that are needed: --columns"
                                              : "correct the line or remove it");
