@@ -13,6 +13,7 @@ class BoundaryTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void halfASphereHasOneRoundRim();
+    void theMiddleIsThatOfTheLength();
     void polylinesCloseWhereRimsDo();
     void theMoebiusStripHasOneRim();
     void closedSurfacesHaveNone();
@@ -60,6 +61,28 @@ void BoundaryTest::halfASphereHasOneRoundRim() {
         before = angle;
     }
     QVERIFY2(std::abs(turned) > 6, "all the way round, once");
+}
+
+/// A square and half a disc beside it: lengths of pi, 1, 1 and 2 at -2 / pi, 1/2, 1/2 and 1. Points of the rim are
+/// denser where it is round or turns a corner.
+void BoundaryTest::theMiddleIsThatOfTheLength() {
+    const Program program;
+    std::string points;
+    for (int i = -20; i <= 20; ++i)
+        for (int j = -20; j <= 20; ++j)
+            if (i > 0 || i * i + j * j < 400)
+                points += std::to_string(0.05 * i) + " " + std::to_string(0.05 * j) + " 0\n";
+    program.write("d.xyz", points);
+    const Outcome outcome = program.run({"boundary", "d.xyz", "-o", "d.csv"});
+    const std::size_t at = outcome.out.find("about ");
+    QVERIFY2(outcome.code == 0 && at != std::string::npos, outcome.err.c_str());
+    const double told = std::stod(outcome.out.substr(at + 6)), wanted = 1 / (3.14159265 + 4);
+    QVERIFY2(std::abs(told - wanted) < 0.03, outcome.out.c_str());
+    double sum = 0;
+    const auto rows = rowsOf(program.read("d.csv"));
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        sum += std::stod(rows[i].at(2));
+    QVERIFY(std::abs(sum / static_cast<double>(rows.size() - 1) - wanted) > 0.05); // or this would show nothing
 }
 
 void BoundaryTest::polylinesCloseWhereRimsDo() {
