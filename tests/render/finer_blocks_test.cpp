@@ -14,6 +14,7 @@ class FinerBlocksTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void finerDiscsLieOnTheSurface();
+    void finestDiscsHardlyStandOut();
     void discsStandOutAsTheirSurfaceBends();
     void edgesHoldTheirFinerDiscs_data();
     void edgesHoldTheirFinerDiscs();
@@ -144,6 +145,36 @@ void FinerBlocksTest::finerDiscsLieOnTheSurface() {
         QVERIFY2(double(count) > 6.9 * double(list.size()),
                  qPrintable(QString("%1 for %2, seed %3").arg(count).arg(list.size()).arg(test::seed())));
     }
+}
+
+/// As many as it takes for few pixels, most of them without a projection of their own: what stands out is below one,
+/// and they lie on the surface to half of that.
+void FinerBlocksTest::finestDiscsHardlyStandOut() {
+    const surfel::SurfelList list = test::torus(0.7, 0.3, 400, test::seed());
+    const auto model = test::built(list);
+    FinerBlocks finer;
+    finer.use({}, radius);
+    finer.follow(model);
+    const auto blocks = blocksOf(model);
+    finer.standOut(blocks);
+    std::vector<FinerBlocks::Wish> wishes = spreadOf(blocks);
+    const float pixel = radius * list.items.front().support / 40;
+    for (FinerBlocks::Wish& wish : wishes)
+        wish.pixel = pixel;
+    finer.prepare(wishes);
+    const surface::Surface surface(model, {});
+    std::size_t count = 0, far = 0, large = 0;
+    for (const surfel::SurfelBlock* block : blocks)
+        for (const FinerBlocks::Part& part : finer.of(block))
+            for (int i = 0; i < part.block->size(); ++i, ++count) {
+                const surface::Evaluationf at = surface.evaluate(part.block->position(i), surface::Need::Gradient);
+                far += !at.ok() || std::abs(at.value) > 0.5f * pixel ? 1 : 0;
+                const float r = radius * part.block->support(i);
+                large += r * r / (2 * 0.3f) > 1.5f * pixel ? 1 : 0;
+            }
+    const QString told = QString("%1 of %2 far, %3 large, seed %4").arg(far).arg(count).arg(large).arg(test::seed());
+    QVERIFY2(count > 15 * list.size(), qPrintable(told));
+    QVERIFY2(200 * far < count && 50 * large < count, qPrintable(told));
 }
 
 /// A ball whose samples lie off it by noise: one disc for each on its surface; without noise nothing is off, and with

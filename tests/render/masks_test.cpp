@@ -143,8 +143,8 @@ void MasksTest::fewSamplesShowTheirOutline_data() {
     QTest::addColumn<double>("ratio");
     QTest::addColumn<double>("mostStrays");
     QTest::newRow("even") << 1.0 << 0.1;
-    // A disc at its sparse end is a fifth of the ball's radius: finer ones of .6 of that still stand out.
-    QTest::newRow("spacing 1 to 3") << 3.0 << 1.0;
+    // A disc at its sparse end is a fifth of the ball's radius.
+    QTest::newRow("spacing 1 to 3") << 3.0 << 0.1;
 }
 
 /// At rest finer discs are drawn (finer_blocks.h). In a view that moves the same discs stand out as they are.

@@ -8,19 +8,19 @@
 namespace render {
 
 static std::string head() {
-    const SharedConstant constants[] = {{"filterPx", filterPx},         {"layerDepth", layerDepth},
-                                        {"filterDepth", filterDepth},   {"backBias", backBias},
-                                        {"backClip", backClip},         {"minCosine", minCosine},
-                                        {"backFrom", backFrom},         {"backTo", backTo},
-                                        {"acrossRadius", acrossRadius}, {"cutRadius", cutRadius},
-                                        {"solidAway", solidAway},       {"cornerRadius", cornerRadius},
-                                        {"tipRadius", tipRadius},       {"longestShape", surfel::longestShape}};
+    const SharedConstant constants[] = {
+        {"filterPx", filterPx},         {"layerDepth", layerDepth}, {"filterDepth", filterDepth},
+        {"backBias", backBias},         {"backClip", backClip},     {"minCosine", minCosine},
+        {"backFrom", backFrom},         {"backTo", backTo},         {"acrossRadius", acrossRadius},
+        {"loneRadius", loneRadius},     {"cutRadius", cutRadius},   {"solidAway", solidAway},
+        {"cornerRadius", cornerRadius}, {"tipRadius", tipRadius},   {"longestShape", surfel::longestShape}};
     return "#version 330 core\n" + glslConstants(constants) +
            "const int mostClips = " + std::to_string(ClipPlanes::most) + ";\n" +
            "const uint cutMask = " + std::to_string((1u << cutBits) - 1) +
            "u, twoCutMask = " + std::to_string((1u << twoCutBits) - 1) + "u, twoCuts = " + std::to_string(twoCuts) +
-           "u, acrossDisc = " + std::to_string(acrossDisc) + "u, noDisc = " + std::to_string(noDisc) + "u;\n" +
-           "const int lightSize = " + std::to_string(lightSize) + ";\n";
+           "u, acrossDisc = " + std::to_string(acrossDisc) + "u, noDisc = " + std::to_string(noDisc) +
+           "u, loneDisc = " + std::to_string(loneDisc) + "u;\n" + "const int lightSize = " + std::to_string(lightSize) +
+           ";\n";
 }
 
 /// The view, as in ViewFrame: image place of the first pixel, pixels per unit of it, radius as a part of the support.
@@ -82,8 +82,8 @@ void main() {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // out of the picture
         gl_PointSize = 1.0;
         return;
-    } else if (code == acrossDisc) {
-        radius *= acrossRadius;
+    } else if (code == acrossDisc || code == loneDisc) {
+        radius *= code == acrossDisc ? acrossRadius : loneRadius;
     } else {
         bool corner = (code >> 12 & 1u) != 0u; // distances end at 15 there, and are 16 more at tips
         float part = float(code & (corner ? 15u : 31u)) / 32.0;

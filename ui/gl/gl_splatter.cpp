@@ -230,7 +230,8 @@ void GlSplatter::look(const tree::SurfelTree& model, const Frame& frame) {
                       details ? &m_details : nullptr,
                       frame.options.detailPx,
                       frame.options.closed && frame.style.oriented,
-                      finer ? finerReach : 1};
+                      finer ? finerReach : 1,
+                      frame.options.pixelScale};
     visibleBlocks(model, sight, m_visible);
     m_slots.show(model, colours);
     const bool bounded = DiscCuts::any(frame.options.definition);

@@ -43,6 +43,12 @@ Around around(const surface::Surface& surface, const Vec3f& x) {
     return e.ok() ? Around{e.offCentre / e.unit, x - e.centroid} : Around{};
 }
 
+/// Too few surfels have weight there for a plane, so that nothing is surface about it.
+bool isLone(const surface::Surface& surface, const Vec3f& x) {
+    const surface::Cause cause = surface.evaluate(x, surface::Need::Value).cause;
+    return cause == surface::Cause::NoSupport || cause == surface::Cause::OnePoint || cause == surface::Cause::TooFew;
+}
+
 Vec3f tangential(const Vec3f& v, const Vec3f& n) {
     return normalized(v - n * dot(n, v), Vec3f{});
 }
@@ -81,7 +87,7 @@ BoundarySubject::BoundarySubject(const tree::SurfelTree& model, const surface::S
     : plain(plainly(model, definition)), fastest(fastestOf(plain)), radius(radiusOfSupport),
       limit(definition.boundaryLimit), oriented(model.layout()->oriented) {}
 
-CutCode BoundaryCuts::cutOf(const SurfelBlock& block, int slot, surface::SelfLanes& lanes) const {
+CutCode BoundaryCuts::cutOf(const SurfelBlock& block, int slot, surface::SelfLanes& lanes, bool onSurface) const {
     const int lane = slot % surfel::clusterSize;
     if (lanes.status[lane] != surface::Status::Ok && !m_of.oriented) {
         const surface::Evaluationf e = m_of.plain.evaluate(block.position(slot), surface::Need::Value);
@@ -89,10 +95,12 @@ CutCode BoundaryCuts::cutOf(const SurfelBlock& block, int slot, surface::SelfLan
         lanes.status[lane] = e.status;
     }
     const Vec3f n = block.normal(slot);
+    if (lanes.status[lane] != surface::Status::Ok && isLone(m_of.plain, block.position(slot)))
+        return loneDisc;
     if (lanes.status[lane] != surface::Status::Ok || lengthSq(n) < 0.25f)
-        return wholeDisc; // it has no plane, or nothing about it
+        return wholeDisc; // it has no plane
     const float facing = dot(n, lanes.normalAt(lane)), off = lanes.offCentre[lane] / lanes.unit[lane];
-    if ((m_of.oriented ? facing : std::abs(facing)) < acrossCosine)
+    if (!onSurface && (m_of.oriented ? facing : std::abs(facing)) < acrossCosine)
         return acrossDisc;
     if (!(off > quiet * m_of.limit) || !surface::mayEnd(m_of.plain, block.position(slot)))
         return wholeDisc;
@@ -102,13 +110,13 @@ CutCode BoundaryCuts::cutOf(const SurfelBlock& block, int slot, surface::SelfLan
     return boundaryCut(m_of.plain, block.surfel(slot), outward, m_of.radius * block.support(slot), off, m_of.limit);
 }
 
-bool BoundaryCuts::cut(const SurfelBlock& block, CutCodes& codes) {
+bool BoundaryCuts::cut(const SurfelBlock& block, CutCodes& codes, bool onSurface) {
     surface::SelfLanes at[surfel::clustersPerBlock];
     m_self.evaluate(block, block.clusterMask(), surface::Need::Value, at);
     bool any = false;
     for (int slot = 0; slot < block.size(); ++slot) {
         CutCode& code = codes[static_cast<std::size_t>(slot)];
-        code = cutOf(block, slot, at[slot / surfel::clusterSize]);
+        code = cutOf(block, slot, at[slot / surfel::clusterSize], onSurface);
         any |= code != wholeDisc;
     }
     return any;

@@ -24,11 +24,12 @@ class BoundaryCuts {
     /// `of` outlives it.
     explicit BoundaryCuts(const BoundarySubject& of) : m_of(of) {}
 
-    /// Cuts those discs of a block that reach the boundary or stand across the surface. True if there are any.
-    bool cut(const surfel::SurfelBlock& block, CutCodes& codes);
+    /// Cuts those discs of a block that reach the boundary or, unless they are `onSurface` with its normals, stand
+    /// across the surface. True if there are any.
+    bool cut(const surfel::SurfelBlock& block, CutCodes& codes, bool onSurface = false);
 
   private:
-    CutCode cutOf(const surfel::SurfelBlock& block, int slot, surface::SelfLanes& lanes) const;
+    CutCode cutOf(const surfel::SurfelBlock& block, int slot, surface::SelfLanes& lanes, bool onSurface) const;
 
     const BoundarySubject& m_of;
     surface::SelfEvaluator m_self{m_of.fastest};

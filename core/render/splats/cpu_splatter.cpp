@@ -163,7 +163,8 @@ Sight CpuSplatter::sight(const tree::SurfelTree& model, const ViewFrame& view, c
             details ? &m_details : nullptr,
             setting.options.detailPx,
             setting.options.closed && setting.style.oriented,
-            FinerBlocks::any(model, setting.options) ? finerReach : 1};
+            FinerBlocks::any(model, setting.options) ? finerReach : 1,
+            setting.options.pixelScale};
 }
 
 bool CpuSplatter::Setting::sameButColours(const Setting& o) const {

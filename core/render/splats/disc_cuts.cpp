@@ -86,8 +86,10 @@ DiscCut discCut(const Vec3f& n, float support, CutCode code) {
         return {line(14, 4), cutRadius * rough, line(8, 0)};
     }
     const unsigned steps = code & 31u;
-    if (steps == 0)
-        return {{}, code == acrossDisc ? acrossRadius : code == noDisc ? 0.0f : 1.0f, {}};
+    if (steps == 0) {
+        const float radius = code == acrossDisc ? acrossRadius : code == loneDisc ? loneRadius : 1;
+        return {{}, code == noDisc ? 0 : radius, {}};
+    }
     const Vec3f direction = directionAt(n, (code >> 13 & 1u) != 0, code >> 5 & 127u, oneAngles);
     if ((code >> 12 & 1u) == 0)
         return {{direction, static_cast<float>(steps) / 32}, cutRadius, {}};

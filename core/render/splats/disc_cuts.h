@@ -1,6 +1,6 @@
 // Where the discs of splats end before their radius does: at the boundaries of open surfaces, where the surface itself
 // ends (off-centre value beyond its limit, surface/README 5.1), at sharp edges (sharp_cuts.h, label_cuts.h,
-// complex_cuts.h), and where a surfel's own normal stands across the surface about it.
+// complex_cuts.h), where a surfel's own normal stands across the surface about it, and where there is no surface.
 //
 // A disc at the boundary is cut by a line: across the direction from the centroid of its surroundings, where the
 // off-centre value reaches the limit. Codes of 14 bits say so, alike for the CPU and for the low bits of the GPU's
@@ -8,7 +8,7 @@
 //
 //     axis (1 bit) << 13 | corner (1 bit) << 12 | angle about the normal (7 bits) << 5 | distance in 32nds of the
 //     disc's radius, 1 to 31; at corners 1 to 15, and 16 more at tips
-//     0: the whole disc     32: its radius times acrossRadius     64: no disc
+//     0: the whole disc     32: its radius times acrossRadius     64: no disc     96: a pixel, whatever its radius
 //
 // A corner may have two lines, in 21 bits and the highest one, which tells; the GPU's support then has two bits of its
 // fraction left, and distances are in 20ths of the radius of that (roughSupport), 1 to 16:
@@ -31,9 +31,11 @@ namespace render {
 using CutCode = std::uint32_t;
 constexpr int cutBits = 14, twoCutBits = 21;
 constexpr CutCode twoCuts = 1u << 31;
-constexpr CutCode wholeDisc = 0, acrossDisc = 32, noDisc = 64;
+constexpr CutCode wholeDisc = 0, acrossDisc = 32, noDisc = 64, loneDisc = 96;
 /// What is left of the radius of a disc that stands across the surface.
 constexpr float acrossRadius = 0.35f;
+/// And of one that is too lonely to have a surface about it: rays pass, and only the filter's pixel shows where it is.
+constexpr float loneRadius = 1e-3f;
 /// What is left of the radius of a disc that is cut: sideways the boundary may be bent.
 constexpr float cutRadius = 0.8f;
 /// The same where a second edge is near.

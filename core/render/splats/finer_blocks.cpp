@@ -2,16 +2,12 @@
 
 #include "core/base/parallel.h"
 #include "core/render/splats/boundary_cuts.h"
-#include "core/render/splats/finer_in_cells.h"
-#include "core/render/splats/label_cuts.h"
 #include "core/render/splats/off_surface.h"
 #include "core/render/splats/sharp_cuts.h"
 #include "core/render/splats/stand_out.h"
-#include "core/surface/projection/project.h"
 #include "core/surfel/shape.h"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 
 namespace render {
@@ -21,140 +17,8 @@ using surfel::SurfelBlock;
 
 namespace {
 
-/// A disc in the middle and six about it cover all of the disc they stand for but for a fiftieth of its radius.
-constexpr int discsFor = 7;
-constexpr float finerRadius = 0.6f, ringRadius = 0.75f;
-/// A foot farther off than this part of the radius is on another sheet.
-constexpr float nearFoot = 1;
-
-/// What is drawn: a disc, or an ellipse.
-struct Disc {
-    surfel::Surfel surfel;
-    Vec3f shape;
-    CutCode code = wholeDisc;
-};
-
-/// The finer discs of one in its own plane, the six about it at a part of its radius.
-std::array<Disc, discsFor> spread(const Disc& of, float radius, float ring) {
-    std::array<Disc, discsFor> out;
-    const Vec3f n = of.surfel.normal;
-    const Vec3f u = discAxis(n), v = cross(n, u);
-    const Vec3f along = normalized(of.shape - n * dot(of.shape, n), Vec3f{});
-    const float narrower = 1 - 1 / surfel::aspectOf(of.shape);
-    for (int k = 0; k < discsFor; ++k) {
-        Disc& each = out[static_cast<std::size_t>(k)] = of;
-        each.surfel.support *= finerRadius;
-        if (k == 0)
-            continue;
-        const float angle = static_cast<float>(k) * (std::numbers::pi_v<float> / 3);
-        const Vec3f way = (u * std::cos(angle) + v * std::sin(angle)) * (ring * radius);
-        each.surfel.position += way - along * (dot(along, way) * narrower);
-    }
-    return out;
-}
-
-/// Brings a disc to its foot. False where there is none near by: the surface has ended before, or is another sheet.
-bool settle(surfel::Surfel& disc, const surface::Projection<float>& foot, float radius) {
-    if (!foot.ok() || distance(foot.foot, disc.position) > nearFoot * radius)
-        return false;
-    const Vec3f n = normalized(foot.at.gradient, disc.normal);
-    disc.position = foot.foot;
-    disc.normal = dot(n, disc.normal) < 0 ? -n : n;
-    return true;
-}
-
-/// Makes finer discs, block by block. A worker of one thread.
-class Finer {
-  public:
-    Finer(const surface::Surface& surface, const cells::CellSurface* cells, float radiusOfSupport)
-        : m_surface(surface), m_radius(radiusOfSupport), m_shape(surfel::shapeChannel(*surface.tree().layout())),
-          m_labels(cells ? &cells->labels() : nullptr) {
-        if (cells)
-            m_cells.emplace(*cells, radiusOfSupport);
-    }
-
-    /// All of a block, surfel by surfel. Where the surface has no foot it is looked for half as far away; a surfel that
-    /// has none at all stays as it is.
-    std::vector<Disc> of(const SurfelBlock& block) {
-        std::vector<Vec3f> places;
-        for (int i = 0; i < block.size(); ++i)
-            for (const Disc& each : spread(discOf(block, i), radiusOf(block, i), ringRadius))
-                places.push_back(each.surfel.position);
-        std::vector<surface::Projection<float>> feet(places.size());
-        surface::project(m_surface, places, projector, feet);
-        std::vector<Disc> out;
-        CutCodes own{};
-        bool cut = false;
-        for (int i = 0; i < block.size(); ++i) {
-            const float radius = radiusOf(block, i);
-            const auto far = spread(discOf(block, i), radius, ringRadius);
-            const auto half = spread(discOf(block, i), radius, ringRadius / 2);
-            const std::size_t before = out.size();
-            const bool ends =
-                m_cells && m_cells->endsWithin(block.position(i), m_labels->cellAt(block, i), spreadReach * radius);
-            for (std::size_t k = 0; k < discsFor; ++k) {
-                Disc disc = far[k];
-                const auto& foot = feet[static_cast<std::size_t>(i) * discsFor + k];
-                bool settled = settle(disc, block, i, ends, &foot);
-                if (!settled && k > 0) {
-                    disc = half[k];
-                    settled = settle(disc, block, i, ends, nullptr);
-                }
-                if (settled)
-                    out.push_back(disc);
-            }
-            if (out.size() > before)
-                continue;
-            out.push_back(discOf(block, i));
-            if (m_labels && !std::exchange(cut, true))
-                LabelCuts(m_surface.tree(), *m_labels, m_radius).cut(block, own);
-            out.back().code = own[static_cast<std::size_t>(i)];
-        }
-        return out;
-    }
-
-    /// One disc for each surfel, at its foot; without one it stays where it is. Of models without cells.
-    std::vector<Disc> settled(const SurfelBlock& block) const {
-        std::vector<Vec3f> places;
-        for (int i = 0; i < block.size(); ++i)
-            places.push_back(block.position(i));
-        std::vector<surface::Projection<float>> feet(places.size());
-        surface::project(m_surface, places, projector, feet);
-        std::vector<Disc> out;
-        for (int i = 0; i < block.size(); ++i) {
-            out.push_back(discOf(block, i));
-            render::settle(out.back().surfel, feet[static_cast<std::size_t>(i)], (finerReach - 1) * radiusOf(block, i));
-        }
-        return out;
-    }
-
-  private:
-    static constexpr surface::ProjectOptions projector{.projector = surface::Projector::Almost};
-
-    Disc discOf(const SurfelBlock& block, int i) const { return {block.surfel(i), surfel::shapeOf(block, i, m_shape)}; }
-    float radiusOf(const SurfelBlock& block, int i) const { return m_radius * block.support(i); }
-
-    /// `ends`: an edge is near. `foot`: on the smooth surface, where that is known.
-    bool settle(Disc& disc, const SurfelBlock& block, int i, bool ends, const surface::Projection<float>* foot) {
-        const float radius = radiusOf(block, i);
-        if (m_cells && m_cells->concerns(disc.surfel.position)) {
-            const std::uint32_t cell = m_labels->cellAt(block, i);
-            return ends ? m_cells->settle(disc.surfel, cell, nearFoot * radius, disc.code)
-                        : m_cells->place(disc.surfel, cell, nearFoot * radius);
-        }
-        return render::settle(disc.surfel, foot ? *foot : surface::project(m_surface, disc.surfel.position, projector),
-                              radius);
-    }
-
-    const surface::Surface& m_surface;
-    float m_radius;
-    int m_shape;
-    const cells::LabelLayout* m_labels; ///< null for models without cells
-    std::optional<FinerInCells> m_cells;
-};
-
 /// With the layout of the model's blocks where supports have shapes, else without further attributes.
-surfel::BlockPtr blockOf(std::span<const Disc> discs, const surfel::AttributeLayout& layout) {
+surfel::BlockPtr blockOf(std::span<const FinerDisc> discs, const surfel::AttributeLayout& layout) {
     const int shape = surfel::shapeChannel(layout);
     const surfel::MutableBlockPtr out =
         SurfelBlock::create(static_cast<int>(discs.size()), shape > 0 ? layout.words() : 0);
@@ -219,15 +83,20 @@ std::vector<float> FinerBlocks::offSurface(std::span<const SurfelBlock* const> b
 }
 
 void FinerBlocks::prepare(std::span<const Wish> wishes) {
-    std::vector<Kept*> fresh;
+    struct Fresh {
+        Kept* kept;
+        const Wish* wish;
+    };
+    std::vector<Fresh> fresh;
     for (const Wish& wish : wishes) {
         Kept& kept = m_kept.at(wish.block);
         const bool cut = wish.cut || wish.spread;
-        if (!kept.parts.empty() && kept.spread == wish.spread && (kept.cut || !cut))
+        const float pixel = wish.spread ? wish.pixel : 0;
+        if (!kept.parts.empty() && kept.spread == wish.spread && kept.pixel == pixel && (kept.cut || !cut))
             continue;
         drop(kept);
-        kept.spread = wish.spread, kept.cut = cut;
-        fresh.push_back(&kept);
+        kept.spread = wish.spread, kept.cut = cut, kept.pixel = pixel;
+        fresh.push_back({&kept, &wish});
     }
     if (fresh.empty())
         return;
@@ -237,14 +106,16 @@ void FinerBlocks::prepare(std::span<const Wish> wishes) {
         cells = cells::CellSurface::unprepared(surface, *labels);
     std::optional<BoundarySubject> bounded;
     if (std::isfinite(m_definition.boundaryLimit) &&
-        std::ranges::any_of(fresh, [](const Kept* kept) { return kept->cut; }))
+        std::ranges::any_of(fresh, [](const Fresh& each) { return each.kept->cut; }))
         bounded.emplace(m_model, m_definition, m_radiusOfSupport);
     base::parallelFor(fresh.size(), 1, [&](std::size_t b) {
-        const SurfelBlock& block = *fresh[b]->block;
-        Finer finer(surface, cells ? &*cells : nullptr, m_radiusOfSupport);
-        const std::vector<Disc> kept = fresh[b]->spread ? finer.of(block) : finer.settled(block);
+        Kept& made = *fresh[b].kept;
+        FinerDiscs finer(surface, cells ? &*cells : nullptr, m_radiusOfSupport);
+        const std::vector<FinerDisc> kept =
+            made.spread ? finer.of(*made.block, {made.pixel, bounded ? fresh[b].wish->own : nullptr})
+                        : finer.settled(*made.block);
         std::optional<BoundaryCuts> boundary;
-        if (bounded && fresh[b]->cut)
+        if (bounded && made.cut)
             boundary.emplace(*bounded);
         SharpCuts sharp(m_model, m_radiusOfSupport);
         for (std::size_t first = 0; first < kept.size(); first += surfel::blockCapacity) {
@@ -252,16 +123,16 @@ void FinerBlocks::prepare(std::span<const Wish> wishes) {
                 std::span(kept).subspan(first, std::min<std::size_t>(surfel::blockCapacity, kept.size() - first));
             Part part{blockOf(discs, *m_model.layout()), nullptr};
             CutCodes codes{};
-            bool any = boundary && boundary->cut(*part.block, codes);
+            bool any = boundary && boundary->cut(*part.block, codes, made.spread);
             for (std::size_t i = 0; i < discs.size(); ++i)
                 if (codes[i] == wholeDisc && discs[i].code != wholeDisc) {
                     codes[i] = discs[i].code;
                     any = true;
                 }
-            any |= fresh[b]->cut && sharp.cut(*part.block, codes);
+            any |= made.cut && sharp.cut(*part.block, codes);
             if (any)
                 part.cuts = std::make_unique<CutCodes>(codes);
-            fresh[b]->parts.push_back(std::move(part));
+            made.parts.push_back(std::move(part));
         }
     });
 }

@@ -1,19 +1,17 @@
 // What is drawn instead of blocks whose discs are large in the image and stand out over the surface, as those of few
-// samples do where it bends: for each surfel seven discs of half the radius, on the surface itself (render/README 4.4);
+// samples do where it bends: for each surfel seven discs and more, on the surface itself (render/README 4.4);
 // and instead of those whose surfels lie off the surface, as those of raw scans: the same discs on it (4.5).
 // The other way from node_detail.h, where one disc stands for many.
 //
 // Neighbours decide where the surface is, so that an edit changes the finer discs of blocks that it leaves alone:
-// `follow` drops them. Memory: seven times the blocks that a picture asked for. One thread at a time.
+// `follow` drops them. Memory: seven times the blocks that a picture asked for, more where discs are
+// larger than 10 pixels. One thread at a time.
 #pragma once
 
 #include "core/render/renderer.h"
-#include "core/render/splats/disc_cuts.h"
+#include "core/render/splats/finer_discs.h"
 
 namespace render {
-
-/// How far discs that are spread reach from the surfels that they stand for, and any of them, in radii of those.
-constexpr float spreadReach = 1.4f, finerReach = 2.4f;
 
 class FinerBlocks {
   public:
@@ -26,14 +24,18 @@ class FinerBlocks {
     /// What is to stand for a block.
     struct Wish {
         const surfel::SurfelBlock* block;
-        bool spread; ///< seven discs for one; else one, where the surface is
-        bool cut;    ///< where the surface ends; those that are spread always are
+        bool spread;                   ///< seven discs for one; else one, where the surface is
+        bool cut;                      ///< where the surface ends; those that are spread always are
+        float pixel = 0;               ///< how long one is there: as finely as can be seen (FinerWay)
+        const CutCodes* own = nullptr; ///< where its discs are cut; null: nowhere
     };
 
     /// Whether splats may be drawn finer than they are: of a surface, smooth or with cells, in a view that rests.
     static bool any(const tree::SurfelTree& model, const RenderOptions& options);
     /// What finer discs depend on beside the version; forgets all if it changes.
     void use(const surface::SurfaceDefinition& definition, float radiusOfSupport);
+    /// Whether the surface may end somewhere.
+    bool bounded() const { return std::isfinite(m_definition.boundaryLimit); }
     /// How far the discs of these blocks stand out over the surface, in model units, in their order.
     std::vector<float> standOut(std::span<const surfel::SurfelBlock* const> blocks);
     /// How far their surfels lie off it; 0 for models with cells, whose edges would fray.
@@ -52,6 +54,7 @@ class FinerBlocks {
         surfel::BlockPtr block;               ///< keeps its address its own
         float standOut = -1, offSurface = -1; ///< not known yet
         bool spread = false, cut = false;     ///< what the parts are
+        float pixel = 0;
         std::vector<Part> parts;
     };
     void drop(Kept& kept);

@@ -104,6 +104,13 @@ class Looker {
                                   : std::numeric_limits<float>::infinity();
     }
 
+    /// How long a pixel is at the nearest depth, to an octave, so that moving a little makes nothing anew.
+    float pixelNear(const ScreenBounds& bounds) const {
+        const float perUnit = pixels(1, bounds);
+        return std::isfinite(perUnit) && perUnit > 0 ? std::exp2(-std::round(std::log2(perUnit)))
+                                                     : std::numeric_limits<float>::min();
+    }
+
   private:
     const Sight& m_sight;
 };
@@ -260,12 +267,20 @@ void findFiner(const Sight& sight, FinerBlocks& finer, std::vector<VisibleBlock>
         if (replaced[i])
             return;
         replaced[i] = true;
-        wishes.push_back({blocks[i].block, spread, blocks[i].large});
+        wishes.push_back({blocks[i].block, spread, blocks[i].large, sight.pixelScale * look.pixelNear(blocks[i].bounds),
+                          blocks[i].cuts});
+    };
+    const auto endsLarge = [&](const VisibleBlock& each) {
+        for (int slot = 0; finer.bounded() && each.cuts && slot < each.block->size(); ++slot)
+            if ((*each.cuts)[static_cast<std::size_t>(slot)] != wholeDisc &&
+                !(look.pixels(sight.reachOfSupport * each.block->support(slot), each.bounds) < finerPx))
+                return true;
+        return false;
     };
     const std::vector<std::size_t> large = within(finerPx), any = within(offPx);
     const std::vector<float> standOut = finer.standOut(blocksAt(large));
     for (std::size_t k = 0; k < large.size(); ++k)
-        if (look.pixels(standOut[k], blocks[large[k]].bounds) >= standOutPx)
+        if (look.pixels(standOut[k], blocks[large[k]].bounds) >= standOutPx || endsLarge(blocks[large[k]]))
             wish(large[k], true);
     const std::vector<float> off = finer.offSurface(blocksAt(any));
     for (std::size_t k = 0; k < any.size(); ++k)

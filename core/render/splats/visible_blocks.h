@@ -24,9 +24,10 @@ struct Sight {
     const ViewFrame& view;
     float reachOfSupport;           ///< a splat's radius as a part of its support
     DetailCache* details = nullptr; ///< null: blocks alone
-    float detailPx = 0;  ///< representatives show where their discs' usual radius is at most this many pixels
-    bool closed = false; ///< leave out nodes that look away from the eye with all their normals
-    float standOut = 1;  ///< what is drawn for a block reaches this many radii beyond it (finer_blocks.h)
+    float detailPx = 0;   ///< representatives show where their discs' usual radius is at most this many pixels
+    bool closed = false;  ///< leave out nodes that look away from the eye with all their normals
+    float standOut = 1;   ///< what is drawn for a block reaches this many radii beyond it (finer_blocks.h)
+    float pixelScale = 1; ///< pixels for one that a person sees
 };
 
 /// Blocks and proxies with splats in the image, in tree order; with `only`, those that touch its tiles. The tree and
