@@ -1,6 +1,7 @@
 #include "core/sculpt/crumbs.h"
 
 #include "core/base/parallel.h"
+#include "core/sculpt/fold_strays.h"
 #include "core/tree/nearest_together.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ using base::Vec3f;
 constexpr std::size_t enough = 6;
 /// Neighbours on a sheet: in spacings at most, and the least cosine between their normals.
 constexpr float reach = 2.2f, facing = -0.2f;
-/// Nearest surfels asked, so that the other side of something thin may be among them.
+/// Nearest surfels asked at first, so that the other side of something thin may be among them.
 constexpr std::size_t nearest = 16;
 /// A surface needs some surfels to be one.
 constexpr std::size_t fewest = 16;
@@ -41,17 +42,19 @@ static std::size_t sheetAround(const tree::SurfelTree& tree, const Vec3f& x, con
         int slot;
     };
     std::vector<Member> members;
-    std::vector<tree::Neighbour> near;
+    // All within reach: of the nearest few all may be of the other side of something thin, where that is finer.
     const auto takeAround = [&](const Vec3f& at, const Vec3f& n) {
-        tree.nearest(at, nearest, near, link);
-        for (const tree::Neighbour& each : near) {
-            const bool known = std::any_of(members.begin(), members.end(), [&](const Member& m) {
-                return m.block == each.block && m.slot == each.slot;
-            });
-            const Vec3f other = each.block->normal(each.slot);
-            if (!known && alike(n, other))
-                members.push_back({each.block->position(each.slot), other, each.block, each.slot});
-        }
+        tree.forBlocksInBall(at, link, [&](std::uint32_t, const surfel::SurfelBlock& block) {
+            for (int slot = 0; slot < block.size() && members.size() < enough; ++slot) {
+                const Vec3f place = block.position(slot), other = block.normal(slot);
+                if (distanceSq(place, at) >= link * link || !alike(n, other))
+                    continue;
+                const bool known = std::any_of(members.begin(), members.end(),
+                                               [&](const Member& m) { return m.block == &block && m.slot == slot; });
+                if (!known)
+                    members.push_back({place, other, &block, slot});
+            }
+        });
     };
     takeAround(x, normal);
     for (std::size_t k = 0; k < members.size() && members.size() < enough; ++k)
@@ -92,10 +95,12 @@ static std::size_t sheetBefore(const tree::SurfelTree& first, const Vec3f& x, fl
 }
 
 tree::Edit dropCrumbs(const tree::SurfelTree& now, const tree::SurfelTree& first, const tree::Selection& candidates,
-                      const std::function<CrumbSource(const surfel::SurfelBlock&, int slot)>& sourceOf) {
+                      const SourceOf& sourceOf) {
+    const FoldStrays strays(now, first);
     std::vector<std::bitset<surfel::blockCapacity>> gone(candidates.size());
     base::parallelFor(candidates.size(), 1, [&](std::size_t i) {
         const surfel::BlockPtr block = now.block(candidates[i].block);
+        gone[i] = strays.in(*block, candidates[i].slots, sourceOf);
         std::vector<int> asked;
         std::vector<float> link;
         for (int slot = 0; slot < block->size(); ++slot) {
@@ -111,9 +116,9 @@ tree::Edit dropCrumbs(const tree::SurfelTree& now, const tree::SurfelTree& first
         for (const int slot : littleAround(around, *block, asked, link)) {
             const CrumbSource source = sourceOf(*block, slot);
             const float far = reach * source.spacing;
-            gone[i].set(static_cast<std::size_t>(slot),
-                        sheetAround(now, block->position(slot), block->normal(slot), far) < enough &&
-                            sheetBefore(first, source.origin, far) >= enough);
+            if (sheetAround(now, block->position(slot), block->normal(slot), far) < enough &&
+                sheetBefore(first, source.origin, far) >= enough)
+                gone[i].set(static_cast<std::size_t>(slot));
         }
     });
     tree::Edit edit;

@@ -305,7 +305,8 @@ surface::Surface Sampling::withoutCrumbs(const surface::Surface& surface) {
     const tree::Edit edit =
         dropCrumbs(surface.tree(), m_kept.first().tree(), candidates, [&](const surfel::SurfelBlock& block, int slot) {
             const Stretches::Tracked* known = m_stretches.find(block);
-            return CrumbSource{(known ? *known->origin : block).position(slot), targetOf(block, slot)};
+            return CrumbSource{(known ? *known->origin : block).position(slot), targetOf(block, slot),
+                               m_kept.madeFor(m_kept.supportOf(block, slot))};
         });
     return {surface.tree().apply(edit), surface.definition()};
 }
