@@ -166,6 +166,7 @@ SurfelTree mapped(const SurfelTree& after, const Stack& stack, const base::Mat3d
                        const double stretch = length(normal) > 0 ? length(normal) : 1.0;
                        words.base = linear * words.base + shift;
                        words.normal = normal * (side / stretch);
+                       words.support *= std::sqrt(stretch); // which says how far layers lean
                        for (SurfelLayers::Part& part : words.parts)
                            part.d = linear * part.d, part.e = area * part.e * (side / stretch);
                        words.write(block, slot, *channels);

@@ -27,7 +27,8 @@ struct Climb {
 /// One layer more. `base`, `layer`: the first of their arrays. Branches are selections, so that lanes go together.
 POINTCLAY_CLONES
 void climb(const float* base, const float* layer, float strength, Climb& at) {
-    const float *ax = base + 3 * clusterSize, *ay = base + 4 * clusterSize, *az = base + 5 * clusterSize;
+    const float *ax = base + 3 * clusterSize, *ay = base + 4 * clusterSize, *az = base + 5 * clusterSize,
+                *h = base + 6 * clusterSize;
     const float *dx = layer, *dy = layer + clusterSize, *dz = layer + 2 * clusterSize;
     const float *ex = layer + 3 * clusterSize, *ey = layer + 4 * clusterSize, *ez = layer + 5 * clusterSize;
     const float *widens = layer + Widening * clusterSize, *mask = layer + OwnMask * clusterSize;
@@ -38,18 +39,25 @@ void climb(const float* base, const float* layer, float strength, Climb& at) {
             std::abs(dx[i]) + std::abs(dy[i]) + std::abs(dz[i]) + std::abs(ex[i]) + std::abs(ey[i]) + std::abs(ez[i]);
         const bool some = any * w != 0;
         const float nx = at.normal[0][i], ny = at.normal[1][i], nz = at.normal[2][i];
-        const float c = ax[i] * nx + ay[i] * ny + az[i] * nz;
+        const float dot = ax[i] * nx + ay[i] * ny + az[i] * nz;
+        const float far = std::sqrt(dx[i] * dx[i] + dy[i] * dy[i] + dz[i] * dz[i]), limit = leanLimit * h[i];
+        const bool free = far > limit && dot >= opposite; // does not lean wholly
+        const float g = free ? limit * (2 * far - limit) / (far * far) : 1.0f;
+        const float gx = ax[i] + g * (nx - ax[i]), gy = ay[i] + g * (ny - ay[i]), gz = az[i] + g * (nz - az[i]);
+        const float unit = 1 / std::sqrt(free ? gx * gx + gy * gy + gz * gz : 1.0f);
+        const float bx = free ? gx * unit : nx, by = free ? gy * unit : ny, bz = free ? gz * unit : nz;
+        const float c = ax[i] * bx + ay[i] * by + az[i] * bz;
         const float turn = c < opposite ? 0.0f : 1.0f, f = turn / (c < opposite ? 1.0f : 1 + c);
-        const float hx = ax[i] + nx, hy = ay[i] + ny, hz = az[i] + nz;
+        const float hx = ax[i] + bx, hy = ay[i] + by, hz = az[i] + bz;
         const float hd = (hx * dx[i] + hy * dy[i] + hz * dz[i]) * f;
         const float ad = 2 * turn * (ax[i] * dx[i] + ay[i] * dy[i] + az[i] * dz[i]);
         const float he = (hx * ex[i] + hy * ey[i] + hz * ez[i]) * f;
         const float ae = 2 * turn * (ax[i] * ex[i] + ay[i] * ey[i] + az[i] * ez[i]);
-        at.up[0][i] += some ? w * (dx[i] - hx * hd + nx * ad) : 0.0f;
-        at.up[1][i] += some ? w * (dy[i] - hy * hd + ny * ad) : 0.0f;
-        at.up[2][i] += some ? w * (dz[i] - hz * hd + nz * ad) : 0.0f;
-        const float mx = nx + w * (ex[i] - hx * he + nx * ae), my = ny + w * (ey[i] - hy * he + ny * ae),
-                    mz = nz + w * (ez[i] - hz * he + nz * ae);
+        at.up[0][i] += some ? w * (dx[i] - hx * hd + bx * ad) : 0.0f;
+        at.up[1][i] += some ? w * (dy[i] - hy * hd + by * ad) : 0.0f;
+        at.up[2][i] += some ? w * (dz[i] - hz * hd + bz * ad) : 0.0f;
+        const float mx = nx + w * (ex[i] - hx * he + bx * ae), my = ny + w * (ey[i] - hy * he + by * ae),
+                    mz = nz + w * (ez[i] - hz * he + bz * ae);
         const float areaSq = mx * mx + my * my + mz * mz;
         const bool turns = some && areaSq > leastAreaSq;
         const float one = 1 / std::sqrt(turns ? areaSq : 1.0f);

@@ -1,5 +1,7 @@
 #include "core/layers/surfel_layers.h"
 
+#include "core/layers/shown_cluster.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +13,9 @@ using base::Vec3d;
 constexpr double opposite = -0.999, leastAreaSq = 1e-6;
 /// Rounds in which the normal of one storey is found from that of the top.
 constexpr int rounds = 8;
+/// The support has a say in how far things lean, and what they hold in the support: so often one is taken for the
+/// other.
+constexpr int supportRounds = 8;
 constexpr double sameDirection = 1 - 1e-13, closeDirection = 1 - 1e-10, insideOut = -1 + 1e-5;
 /// Bounds of stretches of area.
 constexpr double leastStretch = 0.25, mostStretch = 8;
@@ -76,14 +81,21 @@ void SurfelLayers::write(surfel::SurfelBlock& block, int slot, const Channels& c
     }
 }
 
+Vec3d SurfelLayers::leanTo(double far, const Vec3d& below) const {
+    const double limit = double(leanLimit) * support;
+    if (!(far > limit) || dot(normal, below) < opposite)
+        return below;
+    return normalized(normal + (below - normal) * leaning(far, limit), below);
+}
+
 SurfelLayers::Place SurfelLayers::climb(std::span<const float> weights, std::size_t from, std::size_t to,
                                         Place at) const {
     for (std::size_t i = from; i < to; ++i) {
         const double w = double(weights[i]) * (1 - parts[i].mask);
         if (w == 0)
             continue;
-        const Vec3d area = at.normal + turned(parts[i].e, normal, at.normal) * w;
-        at.up += turned(parts[i].d, normal, at.normal) * w;
+        const Vec3d leant = leanTo(parts[i], at.normal), area = at.normal + turned(parts[i].e, normal, leant) * w;
+        at.up += turned(parts[i].d, normal, leant) * w;
         if (lengthSq(area) > leastAreaSq)
             at.normal = normalized(area);
     }
@@ -122,17 +134,33 @@ static double areaOf(const Vec3d& below, const Vec3d& displaced, const Vec3d& si
 }
 
 /// What only rounds leaves the bits of the base.
-void SurfelLayers::takeSupport(double next) {
-    if (std::abs(next - support) > roundingOfWidth * support)
-        support = next;
+bool SurfelLayers::takeSupport(double next) {
+    if (!(std::abs(next - support) > roundingOfWidth * support))
+        return false;
+    support = next;
+    return true;
 }
 
-void SurfelLayers::record(std::span<const float> weights, int target, const Shown& wanted) {
-    const auto k = static_cast<std::size_t>(target);
-    Part& part = parts[k];
-    if (part.mask > hidden)
+/// Of what is missing of `displaced` and of `area` the part that its own mask leaves. How far the part leans depends on
+/// how far it moves, and that is the same on either side of the turn.
+void SurfelLayers::takePlace(Part& part, double strength, const Place& below, const Place& now, const Vec3d& displaced,
+                             const Vec3d& area) {
+    const double w = strength * (1 - part.mask);
+    const Vec3d leant = leanTo(part, below.normal), areaNow = below.normal + turned(part.e, normal, leant) * w;
+    const Vec3d missing = displaced - (now.up - below.up), missingArea = area - areaNow, shown = now.up - below.up;
+    const Vec3d place = shown + missing * (w / strength);
+    const Vec3d next = leanTo(length(place) / std::abs(w), below.normal);
+    if (leant == next) { // as it leant before: what nothing moves keeps its bits
+        part.d += turned(missing, leant, normal) / strength;
+        part.e += turned(missingArea, leant, normal) / strength;
         return;
-    const double strength = double(weights[k]), w = strength * (1 - part.mask);
+    }
+    part.d = turned(place, next, normal) / w;
+    part.e = turned(areaNow - below.normal + missingArea * (w / strength), next, normal) / w;
+}
+
+/// The part's displacement and area vector for the place and the normal wanted.
+void SurfelLayers::takeWay(std::span<const float> weights, std::size_t k, const Shown& wanted) {
     const Place below = climb(weights, 0, k, {{}, normal}), now = climb(weights, k, k + 1, below);
     Vec3d side = now.normal;
     Place above;
@@ -146,17 +174,27 @@ void SurfelLayers::record(std::span<const float> weights, int target, const Show
     }
     above = climb(weights, k + 1, parts.size(), {{}, side});
     const Vec3d displaced = wanted.position - base - above.up - below.up;
-    const Vec3d area = side * areaOf(below.normal, displaced, side);
-    const Vec3d areaNow = below.normal + turned(part.e, normal, below.normal) * w;
-    part.d += turned(displaced - (now.up - below.up), below.normal, normal) / strength;
-    part.e += turned(area - areaNow, below.normal, normal) / strength;
+    takePlace(parts[k], double(weights[k]), below, now, displaced, side * areaOf(below.normal, displaced, side));
+}
+
+void SurfelLayers::record(std::span<const float> weights, int target, const Shown& wanted) {
+    const auto k = static_cast<std::size_t>(target);
+    Part& part = parts[k];
+    if (part.mask > hidden)
+        return;
+    const double strength = double(weights[k]), w = strength * (1 - part.mask);
+    takeWay(weights, k, wanted);
     const double others = growth(weights) / growth(k, strength), needed = wanted.support / (support * others);
     const double q = std::clamp((needed - 1) / w, -mostWidening, mostWidening);
     if (std::abs(w * (q - part.q)) > sameWidth)
         part.q = q;
     if (part.mask == 0) // what is hidden in part shows a part of the turn
         takeNormal(weights, wanted.normal);
-    takeSupport(wanted.support / growth(weights));
+    for (int round = 0; round < supportRounds && takeSupport(wanted.support / growth(weights)); ++round)
+        if (part.mask == 0) { // the support says how far things lean
+            takeWay(weights, k, wanted);
+            takeNormal(weights, wanted.normal);
+        }
 }
 
 /// Where no turn of a lower storey leads to a normal of the top, at cliffs and folds, the uppermost layer takes what is
@@ -169,9 +207,8 @@ void SurfelLayers::takeNormal(std::span<const float> weights, const Vec3d& wante
         if (std::abs(w) < double(leastRecording))
             continue;
         const Place below = climb(weights, 0, k, {{}, normal});
-        const Vec3d area = below.normal + turned(parts[k].e, normal, below.normal) * w;
-        parts[k].e +=
-            turned(wanted * std::clamp(length(area), leastStretch, mostStretch) - area, below.normal, normal) / w;
+        const Vec3d leant = leanTo(parts[k], below.normal), area = below.normal + turned(parts[k].e, normal, leant) * w;
+        parts[k].e += turned(wanted * std::clamp(length(area), leastStretch, mostStretch) - area, leant, normal) / w;
         return; // next to nothing is shown above it
     }
 }
@@ -196,15 +233,18 @@ void SurfelLayers::rebase(std::span<const float> weights, const Shown& wanted, b
             break;
         const Vec3d next = normalized(turned(normal, top.normal, wanted.normal), normal);
         if (follow)
-            for (Part& part : parts)
-                part.d = turned(part.d, normal, next), part.e = turned(part.e, normal, next);
+            for (Part& part : parts) {
+                const Vec3d leant = leanTo(part, next);
+                part.d = turned(part.d, normal, leant), part.e = turned(part.e, normal, leant);
+            }
         normal = next;
     }
     if (dot(climb(weights, 0, parts.size(), {{}, normal}).normal, wanted.normal) < closeDirection)
         normal = before.normal, parts = before.parts;
     takeNormal(weights, wanted.normal);
+    for (int round = 0; round < supportRounds && takeSupport(wanted.support / growth(weights)); ++round)
+        takeNormal(weights, wanted.normal);
     base = wanted.position - climb(weights, 0, parts.size(), {{}, normal}).up;
-    takeSupport(wanted.support / growth(weights));
 }
 
 } // namespace layers

@@ -42,10 +42,17 @@ class SurfelLayers {
     struct Place {
         base::Vec3d up, normal;
     };
+    /// The normal that what a part holds leans to, of a surface below it with this one (shown_cluster.h). A part that
+    /// moves so far.
+    base::Vec3d leanTo(double far, const base::Vec3d& below) const;
+    base::Vec3d leanTo(const Part& part, const base::Vec3d& below) const { return leanTo(length(part.d), below); }
     Place climb(std::span<const float> weights, std::size_t from, std::size_t to, Place at) const;
     double growth(std::size_t part, double weight) const;
     double growth(std::span<const float> weights) const;
-    void takeSupport(double next);
+    void takeWay(std::span<const float> weights, std::size_t part, const Shown& wanted);
+    void takePlace(Part& part, double strength, const Place& below, const Place& now, const base::Vec3d& displaced,
+                   const base::Vec3d& area);
+    bool takeSupport(double next); ///< whether it changed
     void takeNormal(std::span<const float> weights, const base::Vec3d& wanted);
     void turnOver();
 };

@@ -16,6 +16,7 @@ class ShownTest : public QObject {
     void kernelIsThePlainFormula();
     void whatIsRecordedIsShown();
     void aMovedBaseTakesItsLayersAlong();
+    void whatIsLongMovesSidewaysNoFarther();
     void turnsAreUndoneByTheirReverse();
 };
 
@@ -113,13 +114,15 @@ void ShownTest::whatIsRecordedIsShown() {
     }
 }
 
-/// Turned as a whole, what is shown turns as a whole.
+/// Turned as a whole, what is shown turns as a whole, if it is no longer than the limit.
 void ShownTest::aMovedBaseTakesItsLayersAlong() {
     base::Random random(seed);
     const RandomBlock r(random);
     SurfelLayers words;
     for (int slot = 0; slot < r.block->size(); ++slot) {
         words.read(*r.block, slot, r.channels);
+        for (SurfelLayers::Part& part : words.parts)
+            part.d = normalized(part.d) * (random.uniform() * double(layers::leanLimit) * words.support);
         const std::vector<float> none(r.weights.size(), 0.0f);
         const SurfelLayers::Shown before = words.shown(r.weights);
         const Vec3d old = words.normal, next = normalized(old + random.unitVector() * 0.4), from = words.base;
@@ -127,6 +130,30 @@ void ShownTest::aMovedBaseTakesItsLayersAlong() {
         const SurfelLayers::Shown after = words.shown(r.weights);
         QVERIFY(distance(after.position - from, layers::turned(before.position - from, old, next)) < 1e-6);
         QVERIFY(distance(after.normal, layers::turned(before.normal, old, next)) < 1e-6);
+    }
+}
+
+/// However far a layer moves a surfel: where the surface below turns by t, it goes sideways by no more than twice the
+/// limit and a bit times t, and the other way round as far, without a jump.
+void ShownTest::whatIsLongMovesSidewaysNoFarther() {
+    base::Random random(seed);
+    for (int k = 0; k < 2000; ++k) {
+        SurfelLayers words;
+        words.normal = random.unitVector(), words.support = std::exp(random.uniform(-6, 6));
+        words.parts.resize(2);
+        const double limit = double(layers::leanLimit) * words.support, far = limit * std::exp(random.uniform(-1, 7));
+        words.parts[0].e = random.unitVector() * 0.6;
+        words.parts[1].d = random.unitVector() * far;
+        const auto at = [&](float strength) { return words.shown(std::vector<float>{strength, 1}).position; };
+        const double angle =
+            std::acos(std::clamp(dot(words.normal, words.shown(std::vector<float>{1, 1}).normal), -1.0, 1.0));
+        const double aside = distance(at(1), at(0));
+        QVERIFY2(aside <= 2.2 * limit * angle + 1e-9 * far && aside <= 1.001 * far * angle + 1e-9 * far,
+                 qPrintable(QString("%1 of %2 limits at %3, seed %4").arg(aside).arg(limit).arg(angle).arg(seed)));
+        words.parts[1].d = normalized(words.parts[1].d) * limit; // where leaning begins to end
+        const Vec3d wholly = at(1);
+        words.parts[1].d = words.parts[1].d * (1 + 1e-7);
+        QVERIFY(distance(at(1), wholly) < 1e-6 * limit);
     }
 }
 
