@@ -2,6 +2,7 @@
 // room.
 #pragma once
 
+#include "core/surface/projection/descent.h"
 #include "core/surface/projection/feet_together.h"
 #include "core/surface/projection/foot_step.h"
 #include "core/surface/projection/restarts.h"
@@ -15,6 +16,9 @@ namespace surface {
 /// From here on single precision hands over to double: what takes that long is nearly as far from two feet, and only
 /// the same arithmetic as the reference's is sure to choose the same.
 constexpr int hardAfter = 8;
+
+/// Where a projection goes down the surface, Newton's steps are tried anew after so many.
+constexpr int stepsDown = 4;
 
 template <class T>
 class Projecting {
@@ -47,9 +51,12 @@ class Projecting {
     /// Where there is no foot, or another must be nearer, the others are tried.
     Projection<T> finished(const Projection<T>& found) {
         const Projection<T> out = m_hard || settledNear(found) ? found : restarted(found);
-        if constexpr (!exact)
-            if (m_hard)
-                return inDouble();
+        if constexpr (exact) {
+            if (orthogonal() && out.status == Status::NotConverged)
+                return descended(out);
+        } else if (m_hard) {
+            return inDouble();
+        }
         return out;
     }
 
@@ -277,6 +284,32 @@ class Projecting {
         best.iterations = m_iterations;
         best.evaluations = m_evaluations;
         return best;
+    }
+
+    /// Down the surface, from x0 or else from the nearest surfel, to where Newton's steps lead to a foot.
+    Projection<T> descended(const Projection<T>& failed) {
+        Projection<T> out = failed;
+        std::vector<tree::Neighbour> near;
+        m_source.surface().tree().nearest(base::cast<float>(m_x0), 1, near);
+        if (near.empty())
+            return failed;
+        const base::Vec3<T> surfel = base::cast<T>(near[0].block->position(near[0].slot));
+        for (const base::Vec3<T>& from : {m_x0, surfel}) {
+            Descent<T> way(m_source, m_x0, m_given, m_tolerance);
+            for (bool on = way.start(from); on && !found(out);) {
+                for (int k = 0; k < stepsDown && on; ++k)
+                    on = way.step();
+                begin(way.place());
+                if (const Projection<T> end = iterate(); found(end) && distance(end.foot, way.place()) < m_at.unit)
+                    out = end;
+            }
+            m_evaluations += way.evaluations();
+            if (found(out))
+                break;
+        }
+        out.iterations = m_iterations;
+        out.evaluations = m_evaluations;
+        return out;
     }
 
     bool better(const Projection<T>& a, const Projection<T>& b) const {
