@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/process/resampling/resample.h"
+#include "core/solid/grade_beside.h"
 #include "core/solid/seam_labels.h"
 #include "core/solid/slivers.h"
 #include "core/solid/stays.h"
@@ -20,21 +21,6 @@ using cells::Meeting;
 
 namespace {
 
-/// The operand's or model's surfels within two spacings of the seam: cells::partnerReach.
-constexpr double reach = 2;
-
-/// The foot on the seam of a surfel beside it.
-std::optional<Vec3d> seamFoot(const TwoSides& sides, const Vec3d& x, float support) {
-    const double spacing = static_cast<double>(support) * surface::spacingOfUnit;
-    for (const auto* side : {&sides.a, &sides.b})
-        if (const SideValue at = (*side)(x); !at.near || std::abs(at.value) >= 2 * reach * spacing)
-            return {};
-    const std::optional<SeamPoint> found = seamPoint(sides, x, seamTolerance * spacing);
-    if (!found || distance(found->position, x) > reach * spacing)
-        return {};
-    return found->position;
-}
-
 class Combining {
   public:
     Combining(const surface::Surface& model, const Operand& operand, Operation operation, const CombineOptions& options)
@@ -46,20 +32,34 @@ class Combining {
           m_modelSide(surface::Surface(m_tree, m_definition)), m_operandSide(operand.side), m_ofModel(operand.sides),
           m_trimmed(operand.trimmed) {}
 
-    Combined run(const base::Progress& progress) {
+    /// Which surfels stay, and their feet on the seam.
+    void findSides(const base::Progress& progress) {
         progress.step(0, "Telling inside from outside");
-        const base::CancelScope scope(progress.cancel);
         if (m_ofModel.empty())
             m_ofModel = sidesOf(m_tree, m_operandSide);
         progress.step(0.3, "Telling inside from outside");
         m_ofOperand = m_trimmed ? std::vector<std::int8_t>(m_other.size(), m_operation == Operation::Union ? 1 : -1)
                                 : sidesOf(m_other, m_modelSide);
+        if (!m_trimmed || m_options.creases || m_options.seams || m_options.ball() > 0)
+            findFeet();
         progress.step(0.6, "Joining");
+    }
+    /// After findSides: both versions, if one is far coarser beside the seam.
+    bool grade(surface::Surface& model, surfel::SurfelList& other) const {
+        const auto ofModel = m_trimmed ? std::nullopt : gradedBeside(model, m_operandFeet);
+        const auto ofOther =
+            m_trimmed || m_other.empty() ? std::nullopt : gradedBeside({m_other, m_definition}, m_modelFeet);
+        if (ofModel)
+            model = *ofModel;
+        if (ofOther)
+            other = ofOther->tree().surfels();
+        return ofModel || ofOther;
+    }
+    /// After findSides.
+    Combined run(const base::Progress& progress) {
         Combined out;
         if (m_labels)
             m_offset = firstFree(m_tree);
-        if (m_options.creases || m_options.seams || m_options.ball() > 0)
-            findFeet();
         if (m_options.seams || m_options.ball() > 0)
             out.seams = traceSeams(m_sides, seeds());
         if (m_options.ball() > 0 && !out.seams.empty())
@@ -98,36 +98,11 @@ class Combining {
 
     using Foot = SeamFoot;
 
-    /// Of the surfels of one version that stay, block by block.
-    template <class Stays>
-    std::vector<std::vector<Foot>> feetOf(const tree::SurfelTree& tree, const Side& other, const Stays& stays) const {
-        std::vector<std::vector<Foot>> out(tree.blockCount());
-        const std::vector<std::size_t> first = tree.firstSurfels();
-        const int shape = surfel::shapeChannel(*tree.layout());
-        const auto labels = cells::LabelLayout::of(*tree.layout());
-        base::parallelFor(out.size(), 1, [&](std::size_t b) {
-            const surfel::BlockPtr block = tree.block(static_cast<std::uint32_t>(b));
-            const base::Box3f box = block->box().inflated(2 * block->maxSupport());
-            if (!other.meets({base::cast<double>(box.lo), base::cast<double>(box.hi)}))
-                return;
-            for (int slot = 0; slot < block->size(); ++slot) {
-                const std::size_t index = first[b] + static_cast<std::size_t>(slot);
-                if (!stays(index))
-                    continue;
-                const float support = block->support(slot);
-                if (const auto foot = seamFoot(m_sides, base::cast<double>(block->position(slot)), support))
-                    out[b].push_back({index, *foot,
-                                      static_cast<double>(surfel::ballOf(*block, slot, shape)) * surface::spacingOfUnit,
-                                      labels ? labels->cellAt(*block, slot) : 0});
-            }
-        });
-        return out;
-    }
     void findFeet() {
-        m_modelFeet =
-            feetOf(m_tree, m_operandSide, [&](std::size_t i) { return staysOfModel(m_operation, m_ofModel[i]); });
-        m_operandFeet =
-            feetOf(m_other, m_modelSide, [&](std::size_t i) { return staysOfOperand(m_operation, m_ofOperand[i]); });
+        m_modelFeet = seamFeetOf(m_tree, m_sides, m_operandSide,
+                                 [&](std::size_t i) { return staysOfModel(m_operation, m_ofModel[i]); });
+        m_operandFeet = seamFeetOf(m_other, m_sides, m_modelSide,
+                                   [&](std::size_t i) { return staysOfOperand(m_operation, m_ofOperand[i]); });
     }
     std::vector<SeamSeed> seeds() const {
         std::vector<SeamSeed> out;
@@ -381,7 +356,7 @@ class Combining {
                      [this](const Vec3d& x) { return m_operandSide.at(x); }};
     std::vector<std::int8_t> m_ofModel, m_ofOperand;
     bool m_trimmed;
-    std::vector<std::vector<Foot>> m_modelFeet, m_operandFeet;
+    SeamFeet m_modelFeet, m_operandFeet;
     std::uint32_t m_offset = 0;
     std::optional<Fillet> m_fillet;
     std::uint32_t m_chamferCell = 0;
@@ -394,7 +369,16 @@ class Combining {
 Combined combine(const surface::Surface& model, const Operand& operand, Operation operation,
                  const CombineOptions& options, const base::Progress& progress) {
     requireSolid(model);
-    return Combining(model, operand, operation, options).run(progress);
+    const base::CancelScope scope(progress.cancel);
+    Combining combining(model, operand, operation, options);
+    combining.findSides(progress);
+    surface::Surface finer = model;
+    Operand other{operand.side, operand.surfels, {}, operand.trimmed};
+    if (!combining.grade(finer, other.surfels))
+        return combining.run(progress);
+    Combining again(finer, other, operation, options);
+    again.findSides(progress);
+    return again.run(progress);
 }
 
 } // namespace solid

@@ -75,8 +75,7 @@ bool placeBeside(const Side& side, const Side& other, bool inside, double spacin
 } // namespace
 
 std::vector<Sliver> sliversOf(const tree::SurfelTree& tree, const Side& side, const Side& other, bool inside,
-                              const std::vector<std::vector<SeamFoot>>& own,
-                              const std::vector<std::vector<SeamFoot>>& others) {
+                              const SeamFeet& own, const SeamFeet& others) {
     std::vector<Sliver> out;
     const auto layout = cells::LabelLayout::of(*tree.layout());
     if (!layout)

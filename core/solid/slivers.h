@@ -1,20 +1,12 @@
 // Faces that a seam leaves so narrow that no surfel stays on them (solid/README 2.3). Inside this room only.
 #pragma once
 
-#include "core/solid/side.h"
+#include "core/solid/seam_feet.h"
 #include "core/tree/surfel_tree.h"
 
 #include <vector>
 
 namespace solid {
-
-/// The foot on the seam of surfel `index`, in tree order, of one of both versions.
-struct SeamFoot {
-    std::size_t index;
-    base::Vec3d place;
-    double spacing;
-    std::uint32_t cell; ///< that version's number; 0 without labels
-};
 
 /// A surfel that is to come: as `like`, but there.
 struct Sliver {
@@ -27,7 +19,6 @@ struct Sliver {
 /// the seam, and none of this one's own face does, places between the seam and the face's end. In the order of the
 /// feet: the same at any thread count. `own`, `others`: feet of what stays, block by block.
 std::vector<Sliver> sliversOf(const tree::SurfelTree& tree, const Side& side, const Side& other, bool inside,
-                              const std::vector<std::vector<SeamFoot>>& own,
-                              const std::vector<std::vector<SeamFoot>>& others);
+                              const SeamFeet& own, const SeamFeet& others);
 
 } // namespace solid
