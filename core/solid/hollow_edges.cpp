@@ -29,25 +29,36 @@ surface::Surface wallOfOneCell(const surface::Surface& model, const surfel::Surf
     return {tree::SurfelTree::build(out), model.definition()};
 }
 
+/// Across the wall along the normal: at an edge of the inner wall both faces are as near.
+std::uint32_t faceAbove(const tree::SurfelTree& model, const surfel::Surfel& inner) {
+    std::vector<tree::Neighbour> near;
+    model.nearest(inner.position, 1, near);
+    const Vec3d x = base::cast<double>(inner.position), n = base::normalized(base::cast<double>(inner.normal));
+    return nearestLabel(model, x - n * std::sqrt(static_cast<double>(near[0].distanceSq))).face;
+}
+
 /// Sharp where it turns towards itself between places below two faces: below an edge inwards it goes round instead.
 surface::Surface withEdges(const surface::Surface& model, const surface::Surface& wall) {
     const double leastTurn = std::cos(8 * std::numbers::pi / 180);
+    constexpr double onEdge = 0.05; // spacings: surfels on the edge itself turn neither way
     std::size_t atEdge = 0;
     return creasedWhere(
         wall,
         [&](const cells::SurfelLinks& links) -> LeadsOver {
             std::vector<std::uint32_t> faces(links.size());
             base::parallelFor(faces.size(), 64, [&](std::size_t i) {
-                faces[i] = nearestLabel(model.tree(), links.at(static_cast<std::uint32_t>(i))).face;
+                faces[i] = faceAbove(model.tree(), links.surfel(static_cast<std::uint32_t>(i)));
             });
             return [faces = std::move(faces), &links, leastTurn](std::uint32_t a, std::uint32_t e) {
                 const std::uint32_t b = links.link(e).other;
                 const Vec3d na = base::cast<double>(links.surfel(a).normal),
                             nb = base::cast<double>(links.surfel(b).normal);
-                return faces[a] != faces[b] && dot(na, nb) < leastTurn && dot(nb - na, links.at(b) - links.at(a)) < 0;
+                const Vec3d turn = nb - na;
+                return faces[a] != faces[b] && dot(na, nb) < leastTurn &&
+                       dot(turn, links.at(b) - links.at(a)) < onEdge * links.spacing(a) * length(turn);
             };
         },
-        atEdge);
+        atEdge, Sides::Pieces);
 }
 
 } // namespace

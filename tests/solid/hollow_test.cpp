@@ -3,6 +3,7 @@
 
 #include "core/base/random.h"
 #include "core/cells/labels.h"
+#include "core/cells/seams.h"
 #include "core/mesh/extent/extent.h"
 #include "meshed.h"
 #include "placed_shapes.h"
@@ -21,6 +22,7 @@ class HollowTest : public QObject {
   private Q_SLOTS:
     void wallsHaveTheVolumeOfTheirThickness_data();
     void wallsHaveTheVolumeOfTheirThickness();
+    void thinBoxesHaveTwelveEdgesInside();
     void belowAnEdgeInwardsTheWallGoesRound();
     void modelsWithoutLabelsGetNone();
 };
@@ -66,6 +68,27 @@ void HollowTest::wallsHaveTheVolumeOfTheirThickness() {
     const mesh::Extent extent = mesh::extentOf(result.surface);
     const double wanted = solid::primitive(shape.data()).volume(outer) - solid::primitive(shape.data()).volume(inner);
     QVERIFY2(extent.closed && std::abs(extent.volume - wanted) < share * wanted, told(extent, wanted));
+}
+
+/// Its faces meet three by three, which no two sides of an edge are: each is a cell of its own.
+void HollowTest::thinBoxesHaveTwelveEdgesInside() {
+    base::Random random(test::seed());
+    const double t = random.uniform(1.5, 3) * s;
+    const auto side = [&] { return random.uniform(0.8, 1.2); };
+    const solid::Size outer{side(), side(), side()}, inner{outer[0] - 2 * t, outer[1] - 2 * t, outer[2] - 2 * t};
+    const solid::Pose pose = solid::poseAlong(random.unitVector() * 0.3, random.unitVector());
+    const surface::Surface hollow = solid::hollowed(shapeAt("box", outer, s, pose), t).surface;
+    const auto cells = cells::CellSurface::of(hollow);
+    QVERIFY(cells);
+    const std::vector<cells::Seam> seams = cells::traceSeams(*cells);
+    QVERIFY2(seams.size() == 24 && cells::cornersOf(seams).size() == 16,
+             qPrintable(QString("%1 seams, walls of %2 s, seed %3").arg(seams.size()).arg(t / s).arg(test::seed())));
+    if (test::sanitized)
+        return; // the volume costs as much again
+    const mesh::Extent extent = mesh::extentOf(hollow);
+    const solid::PrimitiveRow& box = solid::primitive("box");
+    const double wanted = box.volume(outer) - box.volume(inner);
+    QVERIFY2(extent.closed && std::abs(extent.volume - wanted) < 1e-4 * wanted, told(extent, wanted));
 }
 
 /// A box without a corner: below the edge that is left there the wall is part of a cylinder.
