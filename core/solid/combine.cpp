@@ -378,7 +378,13 @@ Combined combine(const surface::Surface& model, const Operand& operand, Operatio
         return combining.run(progress);
     Combining again(finer, other, operation, options);
     again.findSides(progress);
-    return again.run(progress);
+    Combined out = again.run(progress);
+    const auto more = [](std::size_t after, std::size_t before) { return after > before ? after - before : 0; };
+    out.finer = more(finer.tree().size(), model.tree().size());
+    out.inserted += out.finer;
+    out.removed += more(model.tree().size(), finer.tree().size());
+    out.finer += more(other.surfels.size(), operand.surfels.size());
+    return out;
 }
 
 } // namespace solid

@@ -46,6 +46,7 @@ struct Combined {
     std::size_t inserted = 0;        ///< of the operand that came
     std::size_t atSeam = 0;          ///< surfels beside the seam, where it is a crease
     std::size_t rounded = 0;         ///< surfels of the fillet or chamfer
+    std::size_t finer = 0;           ///< more on the coarser one's own surface, beside the seam; counted as inserted
     std::optional<base::Vec3d> open; ///< caps only: where the model is open as it is cut
     std::size_t partsGone = 0;       ///< parts of the model of which nothing is left; counted where asked for
     std::size_t otherPartsGone = 0;  ///< of the operand

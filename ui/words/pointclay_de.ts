@@ -5541,6 +5541,14 @@
         <translation>%1 Ecke ohne Fläche weggelassen; --faces vertices behält sie.</translation>
     </message>
     <message>
+        <source>One of both is sampled far more coarsely than the other: it got %1 more points beside the seam.</source>
+        <translation>Eines von beiden ist viel gröber abgetastet als das andere: Es erhielt neben der Naht %1 weitere Punkte.</translation>
+    </message>
+    <message>
+        <source>Only %1 points are left, too few to tell a shape: sample the parts more finely before.</source>
+        <translation>Nur %1 Punkte bleiben, zu wenige für eine Form: die Teile vorher feiner abtasten.</translation>
+    </message>
+    <message>
         <source>Opened as points: %1 vertices of %2 have no face; --faces sample opens the faces alone.</source>
         <translation>Als Punkte geöffnet: %1 Ecken von %2 haben keine Fläche; --faces sample öffnet nur die Flächen.</translation>
     </message>
