@@ -18,6 +18,7 @@ class FacesTest : public QObject {
     Q_OBJECT
   private Q_SLOTS:
     void largeFacesAreFlat();
+    void stripsAreFlatAwayFromTheirEnds();
     void pointsLieOnTheirFaces();
     void pointsAreAsManyAsAskedForAndEven();
     void bothSidesOfAThinWallGetTheirPoints();
@@ -46,6 +47,18 @@ void FacesTest::largeFacesAreFlat() {
     for (const surfel::Surfel& s : found.points.items)
         if (s.position.x < 0)
             QVERIFY(dot(s.normal, left) > 0.9995f);
+}
+
+/// A strip whose short side meets what turns by 30 degrees, as chamfers do at the corners of a part.
+void FacesTest::stripsAreFlatAwayFromTheirEnds() {
+    const Faces strip{
+        {{0, 0, 0}, {1, 0, 0}, {1.04f, 0, -0.023f}, {0, 0.05f, 0}, {1, 0.05f, 0}, {1.04f, 0.05f, -0.023f}},
+        {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}}};
+    const mesh::OpenedFaces found =
+        mesh::openFaces(strip.list(), strip.triangles, {}, {.use = mesh::FaceUse::Sample, .count = 400});
+    for (const surfel::Surfel& s : found.points.items)
+        if (s.position.x < 0.9f)
+            QVERIFY2(s.normal.z > 0.99985f, qPrintable(QString("%1 %2").arg(s.position.x).arg(s.normal.z))); // 1 degree
 }
 
 void FacesTest::pointsLieOnTheirFaces() {

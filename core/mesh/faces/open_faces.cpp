@@ -14,6 +14,7 @@
 #include "core/mesh/faces/figures.h"
 #include "core/mesh/faces/kept_vertices.h"
 #include "core/mesh/faces/large_faces.h"
+#include "core/mesh/faces/sample_normals.h"
 #include "core/process/estimation/keep_points.h"
 #include "core/process/estimation/part_progress.h"
 #include "core/process/resampling/resample.h"
@@ -30,7 +31,6 @@ using base::Vec3f;
 using surfel::SurfelList;
 
 constexpr double besideCorner = 0.01; ///< of the way to the middle of a triangle
-constexpr double smoothOver = 3; ///< spacings: triangles of this size and smaller lend their corners' normals whole
 
 /// The layout of surfels with oriented normals and, where there are several patches, their numbers.
 surfel::AttributeLayoutPtr layoutFor(const surfel::AttributeLayoutPtr& vertices, const FaceTopology& topology,
@@ -61,7 +61,7 @@ class FaceSampler {
     FaceSampler(const SurfelList& vertices, const FaceTopology& topology, std::span<const Vec3f> positions,
                 const FacePaint* paint, surfel::AttributeLayoutPtr layout)
         : m_vertices(vertices), m_topology(topology), m_positions(positions), m_paint(paint),
-          m_normals(fanNormals(topology, positions)), m_layout(std::move(layout)) {}
+          m_normals(topology, positions), m_layout(std::move(layout)) {}
 
     struct Size {
         float support = 0;
@@ -84,11 +84,11 @@ class FaceSampler {
     /// Beside tips normals are those of the faces (face_tips.h): for samples with edges that stay sharp.
     template <class SizeOf>
     void straightenTips(std::span<const FacePoint> points, const SizeOf& sizeOf, SurfelList& samples) const {
-        const std::vector<std::uint8_t> tips = tipFans(m_topology, m_normals);
+        const std::vector<std::uint8_t> tips = tipFans(m_topology, m_normals.ofFans());
         base::parallelFor(points.size(), 2048, [&](std::size_t i) {
             const std::uint32_t* fans = m_topology.fans.data() + 3 * std::size_t(points[i].triangle);
             if (std::any_of(fans, fans + 3, [&](std::uint32_t fan) { return tips[fan] != 0; }))
-                samples.items[i].normal = normalAt(points[i], sizeOf(i).spacing, tips);
+                samples.items[i].normal = m_normals.at(points[i], sizeOf(i).spacing, tips);
         });
     }
 
@@ -97,19 +97,6 @@ class FaceSampler {
         float w[3];
     };
     static Weights weightsOf(const FacePoint& point) { return {{1 - point.b - point.c, point.b, point.c}}; }
-
-    Vec3f normalAt(const FacePoint& point, double spacing, std::span<const std::uint8_t> tips) const {
-        const auto [w] = weightsOf(point);
-        const Vec3f face = base::cast<float>(m_topology.normals[point.triangle]);
-        Vec3f out;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t fan = m_topology.fans[3 * point.triangle + k];
-            out += (!tips.empty() && tips[fan] != 0 ? face : m_normals[fan]) * w[k];
-        }
-        const double wide = std::sqrt(2 * m_topology.areas[point.triangle]), smooth = smoothOver * spacing;
-        const auto t = static_cast<float>(wide > smooth ? smooth / wide : 1);
-        return normalized(normalized(out, face) * t + face * (1 - t), face);
-    }
 
     surfel::Surfel surfelAt(const FacePoint& point, const Size& size) const {
         const auto [w] = weightsOf(point);
@@ -122,7 +109,7 @@ class FaceSampler {
             out.mask += corner.mask * w[k];
             colours[k] = corner.colour;
         }
-        out.normal = normalAt(point, size.spacing, {});
+        out.normal = m_normals.at(point, size.spacing);
         out.colour = blended(colours, w);
         if (m_paint)
             if (const auto own =
@@ -155,7 +142,7 @@ class FaceSampler {
     const FaceTopology& m_topology;
     std::span<const Vec3f> m_positions;
     const FacePaint* m_paint;     ///< null: colours are those of the vertices
-    std::vector<Vec3f> m_normals; ///< of fans
+    SampleNormals m_normals;
     surfel::AttributeLayoutPtr m_layout;
 };
 
