@@ -22,7 +22,7 @@ using base::Vec3d;
 namespace {
 
 constexpr std::size_t fewestSamples = 8; ///< of a cell
-constexpr double narrow = 0.9;           ///< spacings: mean width of a strip that is no cell of its own,
+constexpr double narrow = 0.5;           ///< spacings: mean width of a strip that is no cell of its own,
 constexpr double fewTurns = 70 * std::numbers::pi / 180; ///< unless it turns by more, as the sides of thin plates
 constexpr double linkReach = 2.2;                        ///< spacings
 
