@@ -1,6 +1,9 @@
 #include "core/render/splats/boundary_cuts.h"
 #include "core/surface/rims.h"
 
+#include <numbers>
+#include <optional>
+
 namespace render {
 
 using base::Vec3f;
@@ -80,6 +83,55 @@ CutCode boundaryCut(const surface::Surface& surface, const surfel::Surfel& s, co
                         : cutCode(s.normal, out, 0.5f * (low + high));
 }
 
+/// How far along a direction the value reaches the limit, by regula falsi; nothing where it does not within `far`.
+std::optional<float> rimAlong(const surface::Surface& surface, const Vec3f& from, const Vec3f& way, float here,
+                              float far, float limit) {
+    float low = 0, lowValue = here, high = far, highValue = around(surface, from + way * far).value;
+    if (!(highValue > limit))
+        return std::nullopt;
+    for (int step = 0; step < 5; ++step) {
+        const float between = std::isfinite(highValue) ? (limit - lowValue) / (highValue - lowValue) : 0.5f;
+        const float middle = low + (high - low) * std::clamp(between, 0.1f, 0.9f);
+        const float found = around(surface, from + way * middle).value;
+        (found <= limit ? low : high) = middle;
+        (found <= limit ? lowValue : highValue) = found;
+    }
+    return (low + high) / 2;
+}
+
+/// The cut of a disc beside a rim that the model knows of. Where surfels are few the centroid of those about one tells
+/// nothing of the rim's direction: of reduced models it is a tenth of a support aside of rims' own, whichever way. So
+/// the disc's edge is looked along for where it is past the limit, and the rim is the line through what is found on
+/// both sides of the middle of that.
+CutCode knownRimCut(const surface::Surface& surface, const surfel::Surfel& s, float radius, float here, float limit) {
+    constexpr int looks = 12;
+    constexpr float aside = 0.6f, farther = 1.25f; // radians; radii
+    const Vec3f u = discAxis(s.normal), v = cross(s.normal, u);
+    Vec3f past;
+    for (int k = 0; k < looks; ++k) {
+        const float angle = static_cast<float>(k) * (2 * std::numbers::pi_v<float> / looks);
+        const Vec3f way = u * std::cos(angle) + v * std::sin(angle);
+        if (around(surface, s.position + way * radius).value > limit)
+            past += way;
+    }
+    const Vec3f out = normalized(past, Vec3f{}), side = cross(s.normal, out);
+    if (!(lengthSq(out) > 0))
+        return wholeDisc;
+    std::optional<Vec3f> rim[2];
+    for (int k = 0; k < 2; ++k) {
+        const Vec3f way = out * std::cos(aside) + side * ((k == 0 ? 1 : -1) * std::sin(aside));
+        if (const auto found = rimAlong(surface, s.position, way, here, farther * radius, limit))
+            rim[k] = way * *found;
+    }
+    if (!rim[0] || !rim[1])
+        return boundaryCut(surface, s, out, radius, here, limit);
+    const Vec3f direction = normalized(cross(*rim[0] - *rim[1], s.normal), out);
+    float part = dot(direction, *rim[0]) / radius;
+    if (const auto middle = rimAlong(surface, s.position, out, here, farther * radius, limit)) // where it bulges
+        part = std::max(part, dot(direction, out) * *middle / radius);
+    return part < 1 ? cutCode(s.normal, direction, part) : wholeDisc;
+}
+
 } // namespace
 
 BoundarySubject::BoundarySubject(const tree::SurfelTree& model, const surface::SurfaceDefinition& definition,
@@ -102,12 +154,16 @@ CutCode BoundaryCuts::cutOf(const SurfelBlock& block, int slot, surface::SelfLan
     const float facing = dot(n, lanes.normalAt(lane)), off = lanes.offCentre[lane] / lanes.unit[lane];
     if (!onSurface && (m_of.oriented ? facing : std::abs(facing)) < acrossCosine)
         return acrossDisc;
-    if (!(off > quiet * m_of.limit) || !surface::mayEnd(m_of.plain, block.position(slot)))
+    const bool known = surface::knowsRims(m_of.plain) && off < m_of.limit;
+    if (!(off > quiet * m_of.limit || known) || !surface::mayEnd(m_of.plain, block.position(slot)))
         return wholeDisc;
+    const float reach = m_of.radius * block.support(slot);
+    if (known)
+        return knownRimCut(m_of.plain, block.surfel(slot), reach, off, m_of.limit);
     const Vec3f outward = tangential(block.position(slot) - lanes.centroidAt(lane), n);
     if (!(lengthSq(outward) > 0))
         return wholeDisc;
-    return boundaryCut(m_of.plain, block.surfel(slot), outward, m_of.radius * block.support(slot), off, m_of.limit);
+    return boundaryCut(m_of.plain, block.surfel(slot), outward, reach, off, m_of.limit);
 }
 
 bool BoundaryCuts::cut(const SurfelBlock& block, CutCodes& codes, bool onSurface) {
