@@ -141,7 +141,7 @@ class FaceSampler {
     const SurfelList& m_vertices;
     const FaceTopology& m_topology;
     std::span<const Vec3f> m_positions;
-    const FacePaint* m_paint;     ///< null: colours are those of the vertices
+    const FacePaint* m_paint; ///< null: colours are those of the vertices
     SampleNormals m_normals;
     surfel::AttributeLayoutPtr m_layout;
 };

@@ -1,5 +1,6 @@
-// Normals of samples on faces: those of the fans at the corners, blended, as far as the face is small (mesh/README 8.3).
-// A smooth normal over a large flat face contradicts the positions of its samples, and the surface ripples with them.
+// Normals of samples on faces: those of the fans at the corners, blended, as far as the face is small
+// (mesh/README 8.3). A smooth normal over a large flat face contradicts the positions of its samples, and the surface
+// ripples with them.
 #pragma once
 
 #include "core/mesh/faces/face_points.h"
