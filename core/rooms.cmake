@@ -58,7 +58,7 @@ pointclay_room(io core/io process mesh)
 pointclay_link(io PNG::PNG JPEG::JPEG pugixml::pugixml ZLIB::ZLIB EXPAT::EXPAT nlohmann_json::nlohmann_json)
 
 pointclay_room(render core/render raycast io)
-pointclay_link(render PkgConfig::HWY PkgConfig::EXR)
+pointclay_link(render PkgConfig::HWY PkgConfig::EXR Eigen3::Eigen)
 
 pointclay_room(selection core/selection sculpt render)
 

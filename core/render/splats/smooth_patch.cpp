@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Cholesky>
 
 namespace render {
 
@@ -15,31 +16,6 @@ constexpr double leastCosine = 0.34;
 constexpr double slopeReach = 0.375;
 /// Added to the diagonal, times its mean: feet may lie so that a term is hardly known.
 constexpr double damping = 1e-9;
-
-/// Solves A x = b by Cholesky's factors, which take A's place. False where A is not positive.
-template <std::size_t n>
-bool solve(std::array<std::array<double, n>, n>& a, std::array<double, n>& x) {
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j <= i; ++j) {
-            double sum = a[i][j];
-            for (std::size_t k = 0; k < j; ++k)
-                sum -= a[i][k] * a[j][k];
-            if (i == j && !(sum > 0))
-                return false;
-            a[i][j] = i == j ? std::sqrt(sum) : sum / a[j][j];
-        }
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t k = 0; k < i; ++k)
-            x[i] -= a[i][k] * x[k];
-        x[i] /= a[i][i];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-        for (std::size_t k = i + 1; k < n; ++k)
-            x[i] -= a[k][i] * x[k];
-        x[i] /= a[i][i];
-    }
-    return true;
-}
 
 } // namespace
 
@@ -69,8 +45,8 @@ std::optional<SmoothPatch> SmoothPatch::through(std::span<const Foot> feet, floa
         double a, b;
         std::array<double, 3> told; ///< height, slopes
     };
-    std::array<Row, terms> square{};
-    Row right{};
+    Eigen::Matrix<double, terms, terms> square = Eigen::Matrix<double, terms, terms>::Zero();
+    Eigen::Vector<double, terms> right = Eigen::Vector<double, terms>::Zero();
     std::array<Known, 7> known{};
     if (feet.size() > known.size())
         feet = feet.first(known.size());
@@ -86,21 +62,16 @@ std::optional<SmoothPatch> SmoothPatch::through(std::span<const Foot> feet, floa
         const auto rows = rowsAt(known[f].a, known[f].b);
         for (std::size_t r = 0; r < 3; ++r) {
             const double weight = r == 0 ? 1 : slopeReach * slopeReach;
-            for (std::size_t i = 0; i < terms; ++i) {
-                right[i] += weight * rows[r][i] * known[f].told[r];
-                for (std::size_t j = 0; j <= i; ++j)
-                    square[i][j] += weight * rows[r][i] * rows[r][j];
-            }
+            const Eigen::Map<const Eigen::Vector<double, terms>> row(rows[r].data());
+            square += weight * row * row.transpose();
+            right += weight * known[f].told[r] * row;
         }
     }
-    double trace = 0;
-    for (std::size_t i = 0; i < terms; ++i)
-        trace += square[i][i];
-    for (std::size_t i = 0; i < terms; ++i)
-        square[i][i] += damping * trace / terms;
-    if (!solve(square, right))
+    square.diagonal().array() += damping * square.trace() / terms;
+    const Eigen::LLT<Eigen::Matrix<double, terms, terms>> factors(square);
+    if (factors.info() != Eigen::Success)
         return std::nullopt;
-    out.m_factors = right;
+    Eigen::Map<Eigen::Vector<double, terms>>(out.m_factors.data()) = factors.solve(right);
     for (std::size_t f = 0; f < feet.size(); ++f) {
         const Height found = out.heightAt(known[f].a, known[f].b);
         const double off = std::max(std::abs(found.value - known[f].told[0]),
