@@ -2,7 +2,7 @@
 # compiled several at a time, in batches in which no two have a name of their own in common. What stands in the way is
 # compiled alone: files with macros, with flags of their own, or with a type that is called like one of the room's
 # headers. `-DPOINTCLAY_TOGETHER=0` is for who works on one file again and again, and warns of every shadowed name.
-set(POINTCLAY_TOGETHER 8 CACHE STRING "How many files of a room, or of its tests, are compiled at a time; 0: each alone")
+set(POINTCLAY_TOGETHER 8 CACHE STRING "How many tests of a room are compiled at a time, and files of a room, those eight at most; 0: each alone")
 
 # What a file declares in its first column may be its own: functions, constants, types. Names of members (A::b) are not.
 function(pointclay_own_names file result result_types)
@@ -32,6 +32,10 @@ function(pointclay_batches target)
     if(NOT POINTCLAY_TOGETHER)
         return()
     endif()
+    set(most ${POINTCLAY_TOGETHER})
+    if(most GREATER 8) # the more, the likelier a name of one is that of a header of another
+        set(most 8)
+    endif()
     get_target_property(sources ${target} SOURCES)
     set(shown "") # types
     foreach(source ${sources})
@@ -52,7 +56,7 @@ function(pointclay_batches target)
         endif()
         set(batch 0)
         foreach(each RANGE 1 ${batches})
-            if(each GREATER batches OR size_${each} EQUAL POINTCLAY_TOGETHER)
+            if(each GREATER batches OR size_${each} EQUAL most)
                 continue()
             endif()
             set(alike ${names} ${names_${each}})
