@@ -11,13 +11,9 @@ std::optional<int> rimChannel(const surfel::AttributeLayout& layout) {
     return surfel::Extra + static_cast<int>(found->firstWord);
 }
 
-static bool tells(const surfel::SurfelBlock& block, int slot, int channel) {
-    return block.words(slot / surfel::clusterSize, channel)[slot % surfel::clusterSize] != 0;
-}
-
 bool isBesideRim(const surfel::SurfelBlock& block, int slot, const surfel::AttributeLayout& layout) {
     const std::optional<int> channel = rimChannel(layout);
-    return channel && tells(block, slot, *channel);
+    return channel && tellsOfRim(block, slot, *channel);
 }
 
 bool hasRim(const tree::SurfelTree& tree) {
@@ -26,7 +22,7 @@ bool hasRim(const tree::SurfelTree& tree) {
     if (channel)
         tree.forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
             for (int slot = 0; slot < block.size() && !any; ++slot)
-                any = tells(block, slot, *channel);
+                any = tellsOfRim(block, slot, *channel);
         });
     return any;
 }
@@ -46,7 +42,7 @@ bool mayEnd(const Surface& surface, const base::Vec3<T>& x) {
             const int begin = cluster * surfel::clusterSize, end = std::min(block.size(), begin + surfel::clusterSize);
             for (int slot = begin; slot < end; ++slot)
                 if (const float d = distanceSq(block.position(slot), at); d < nearest)
-                    nearest = d, found = tells(block, slot, *channel);
+                    nearest = d, found = tellsOfRim(block, slot, *channel);
         },
         surface.supportScale());
     return found;

@@ -31,6 +31,11 @@ inline bool knowsRims(const Surface& surface) {
 /// Does any surfel tell of a rim?
 bool hasRim(const tree::SurfelTree& tree);
 
+/// Does this one, by the channel of rims?
+inline bool tellsOfRim(const surfel::SurfelBlock& block, int slot, int channel) {
+    return block.words(slot / surfel::clusterSize, channel)[slot % surfel::clusterSize] != 0;
+}
+
 /// Does this one?
 bool isBesideRim(const surfel::SurfelBlock& block, int slot, const surfel::AttributeLayout& layout);
 

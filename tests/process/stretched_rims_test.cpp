@@ -2,6 +2,7 @@
 // room.
 #include "core/base/random.h"
 #include "core/process/resampling/resample.h"
+#include "core/surface/rims.h"
 #include "process/even_shapes.h"
 #include "support/registry.h"
 
@@ -14,6 +15,7 @@ class StretchedRimsTest : public QObject {
   private Q_SLOTS:
     void aRimThatIsDrawnAlongItselfStaysWhole_data();
     void aRimThatIsDrawnAlongItselfStaysWhole();
+    void samplesOfADrawnRimTellOfIt();
     void aHoleThatIsDrawnWideStaysOpen();
 };
 
@@ -34,6 +36,24 @@ surface::Surface sheet(base::Random& random, const Vec3d& size, double bend, dou
             out.append(test::surfelAt({u, v, bend * v * v}, normalized(Vec3d{0, -2 * bend * v, 1}), 1), {});
         }
     return test::surfaceOf(out);
+}
+
+/// The same, whose surfels tell of the rims along it (surface/rims.h).
+surface::Surface knowing(const surface::Surface& sheet, double halfWidth) {
+    surfel::SurfelList list = sheet.tree().surfels(), out;
+    auto layout = std::make_shared<surfel::AttributeLayout>(*list.layout);
+    layout->add(surface::rimName, surfel::ScalarType::UInt8);
+    out.layout = layout;
+    for (const surfel::Surfel& each : list.items) {
+        const bool beside = halfWidth - std::abs(each.position.y) < surface::rimReach * each.support;
+        std::vector<std::uint32_t> words(layout->words(), 0);
+        surfel::write(*layout->find(surface::rimName), words, beside ? 1 : 0);
+        out.append(each, words);
+    }
+    surface::SurfaceDefinition definition = sheet.definition();
+    definition.knownRims = true;
+    definition.boundaryLimit = 0.3F;
+    return {tree::SurfelTree::build(out), definition};
 }
 
 /// As far as a stroke goes before what it has drawn out is resampled, and how often.
@@ -90,6 +110,31 @@ void StretchedRimsTest::aRimThatIsDrawnAlongItselfStaysWhole() {
     const QByteArray told = QString("last samples at %1 of 7.5 (%2)").arg(mean).arg(farthest).toUtf8();
     qInfo("%s", told.constData());
     QVERIFY2(mean > 7.12 && mean < 7.8 && farthest < 8.7, told);
+}
+
+/// Those of the last row nearly all, or the surface would go on beyond them, as a tab: where the majority about a new
+/// sample decided, a tenth of them said nothing. Those far inside need not.
+void StretchedRimsTest::samplesOfADrawnRimTellOfIt() {
+    base::Random random(test::seed());
+    const surface::Surface now = drawnOut(knowing(sheet(random, {6, 16, 0}, 0, 0), 8));
+    const surfel::AttributeLayout& layout = *now.tree().layout();
+    const double half = 3 * std::pow(double(drawn), rounds) - 4;
+    std::size_t last = 0, silent = 0, inner = 0, mistaken = 0;
+    now.tree().forEachBlock([&](std::uint32_t, const surfel::SurfelBlock& block) {
+        for (int slot = 0; slot < block.size(); ++slot) {
+            const base::Vec3f x = block.position(slot);
+            if (std::abs(double(x.x)) > half)
+                continue;
+            const bool tells = surface::isBesideRim(block, slot, layout);
+            const double y = std::abs(double(x.y));
+            last += y > 7, silent += y > 7 && !tells;
+            inner += y < 4, mistaken += y < 4 && tells;
+        }
+    });
+    const QByteArray told =
+        QString("%1 of %2 silent, %3 of %4 mistaken").arg(silent).arg(last).arg(mistaken).arg(inner).toUtf8();
+    qInfo("%s", told.constData());
+    QVERIFY2(silent * 40 < last && mistaken * 200 < inner, told);
 }
 
 void StretchedRimsTest::aHoleThatIsDrawnWideStaysOpen() {

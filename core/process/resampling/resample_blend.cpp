@@ -4,6 +4,7 @@
 #include "core/process/resampling/resample_land.h"
 #include "core/surface/evaluation/attribute_sum.h"
 #include "core/surface/evaluation/weights.h"
+#include "core/surface/rims.h"
 #include "core/surfel/shape.h"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ constexpr std::size_t grain = 32;
 constexpr float slack = 3;
 
 Blender::Blender(const surface::Surface& frozen, float spacing, std::span<const base::Vec3f> places)
-    : m_frozen(frozen), m_layout(*frozen.tree().layout()), m_facing(m_layout), m_limit(heightLimit * spacing),
+    : m_frozen(frozen), m_layout(*frozen.tree().layout()), m_facing(m_layout),
+      m_rims(surface::knowsRims(frozen) ? surface::rimChannel(m_layout) : std::nullopt), m_limit(heightLimit * spacing),
       m_slack(slack * spacing) {
     collectBlocks(places);
     m_needed = std::vector<std::atomic<std::uint8_t>>(m_blocks.size() * surfel::blockCapacity);
@@ -123,12 +125,14 @@ void Blender::at(const base::Vec3f& x, const base::Vec3f& gradient, Near& near, 
     surface::AttributeSum facing(m_layout), others(m_layout);
     double weight = 0, height = 0, support = 0;
     base::Vec3d tilt;
+    double ofRims = 0;
     const int shape = surfel::shapeChannel(m_layout);
     forWeights(x, near, [&](const surfel::SurfelBlock& block, int slot, std::size_t index, float w) {
         const base::Vec3f n = block.normal(slot);
         if (m_facing.oriented() && dot(n, gradient) <= -0.17f)
             return others.add(block, slot, w);
         facing.add(block, slot, w);
+        ofRims += m_rims && surface::tellsOfRim(block, slot, *m_rims) ? double(w) : 0;
         weight += double(w);
         support += double(w) * double(surfel::ballOf(block, slot, shape));
         const Measured& m = m_measured[index];
@@ -140,6 +144,7 @@ void Blender::at(const base::Vec3f& x, const base::Vec3f& gradient, Near& near, 
     out.words.assign(m_layout.words(), 0);
     if (facing.any()) {
         out.height = static_cast<float>(height / weight);
+        out.ofRims = static_cast<float>(ofRims / weight);
         out.tilt = base::cast<float>(tilt / weight);
         out.support = static_cast<float>(support / weight);
     }

@@ -14,6 +14,7 @@
 #include "core/surface/evaluation/together.h"
 
 #include <atomic>
+#include <optional>
 
 namespace process {
 
@@ -23,6 +24,7 @@ struct Blend {
     surfel::Colour colour = surfel::white;
     float mask = 0;
     float support = 0;                ///< 0 where nothing faces alike
+    float ofRims = 0;                 ///< the share of those that face alike and tell of a rim, by weight
     std::vector<std::uint32_t> words; ///< further attributes
 };
 
@@ -56,6 +58,7 @@ class Blender {
     const surface::Surface& m_frozen;
     const surfel::AttributeLayout& m_layout;
     Facing m_facing;
+    std::optional<int> m_rims;                        ///< channel that tells of them, where the model knows its rims
     float m_limit;                                    ///< of heights
     float m_slack;                                    ///< how far around a place blocks are collected
     std::vector<const surfel::SurfelBlock*> m_blocks; ///< by address, for finding

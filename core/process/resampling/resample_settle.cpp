@@ -4,6 +4,7 @@
 #include "core/process/resampling/resample_fit.h"
 #include "core/process/resampling/resample_land.h"
 #include "core/process/resampling/resample_set.h"
+#include "core/surface/rims.h"
 #include "core/surfel/shape.h"
 
 #include <cmath>
@@ -15,6 +16,9 @@ namespace {
 constexpr int steps = 12;
 constexpr float tolerance = 1e-5f; ///< of the support
 constexpr std::size_t grain = 32;
+/// By weight, of what is about a sample off centre: in the middle of a sheet it is none, and half is the rule
+/// elsewhere.
+constexpr float enoughOfRims = 0.25f;
 
 /// What becomes of one sample that moved or is new.
 struct Settled {
@@ -95,6 +99,9 @@ Settled settled(const SampleSet& set, std::uint32_t i, const Landing& y, const B
     if (!set.facing.known())
         out.surfel.normal = {};
     out.words = std::move(blend.words);
+    // What weighs most there may be of rows behind the last, where a stroke has drawn that one apart.
+    if (blend.ofRims > enoughOfRims && y.at.offCentre > set.pinned * y.at.unit)
+        surfel::write(*set.version.tree().layout()->find(surface::rimName), out.words, 1);
     return out;
 }
 
