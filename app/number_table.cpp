@@ -68,7 +68,7 @@ std::vector<Vec3d> readPoints(const std::filesystem::path& path, const base::Pro
 }
 
 std::vector<Vec3d> readPoints(const io::FileBytes& file, const base::Progress& progress) {
-    const io::TextRows rows(file, io::textBegin(file), io::namedRulesOf(file, progress), {progress});
+    const io::TextRows rows = io::namedRows(file, progress);
     std::vector<Vec3d> out;
     out.reserve(rows.count());
     bool first = true;

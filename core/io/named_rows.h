@@ -18,17 +18,19 @@ inline std::size_t textBegin(const FileBytes& file) {
     return file.bytes().starts_with("\xef\xbb\xbf") ? 3 : 0;
 }
 
-/// How the rows of a file are read that may begin with a line of names. Throws base::Error where its commas part
-/// thousands, or stand for the point and between fields as well.
-inline RowRules namedRulesOf(const FileBytes& file, const base::Progress& progress) {
-    const TextRows rows(file, textBegin(file), namedRowRules, {progress});
-    RowRules out = namedRowRules;
+/// The rows of a file that may begin with a line of names. Throws base::Error where its commas part thousands, or stand
+/// for the point and between fields as well.
+inline TextRows namedRows(const FileBytes& file, const base::Progress& progress) {
+    TextRows rows(file, textBegin(file), namedRowRules, {progress});
     if (rows.count() == 0)
-        return out;
+        return rows;
     const auto head = rows.fields(rows.row(0));
     const bool names = std::none_of(head.begin(), head.end(), [&](auto field) { return rows.isNumber(field); });
-    out.decimalComma = !decimalCommaIn(file, rows, names ? 1 : 0, names ? head.size() : 0).empty();
-    return out;
+    if (decimalCommaIn(file, rows, names ? 1 : 0, names ? head.size() : 0).empty())
+        return rows;
+    RowRules rules = namedRowRules;
+    rules.decimalComma = true;
+    return {file, textBegin(file), rules, {progress}};
 }
 
 /// Column by column of one line; errors know where it stands. REQUIRES: file and rows outlive it.
@@ -93,7 +95,7 @@ class NamedColumns {
 template <std::size_t N, class Take>
 void forNamedRows(const FileBytes& file, const base::Progress& progress, const typename NamedColumns<N>::Names& names,
                   const char* begin, const Take& take) {
-    const TextRows rows(file, textBegin(file), namedRulesOf(file, progress), {progress});
+    const TextRows rows = namedRows(file, progress);
     std::optional<NamedColumns<N>> columns;
     rows.forRows(0, [&](std::string_view line) {
         const NumberRow row(file, rows, line);

@@ -42,7 +42,7 @@ void climb(const float* base, const float* layer, float strength, Climb& at) {
         const float dot = ax[i] * nx + ay[i] * ny + az[i] * nz;
         const float far = std::sqrt(dx[i] * dx[i] + dy[i] * dy[i] + dz[i] * dz[i]), limit = leanLimit * h[i];
         const bool free = far > limit && dot >= opposite; // does not lean wholly
-        const float g = free ? limit * (2 * far - limit) / (far * far) : 1.0f;
+        const float g = free ? leaning(far, limit) : 1.0f;
         const float gx = ax[i] + g * (nx - ax[i]), gy = ay[i] + g * (ny - ay[i]), gz = az[i] + g * (nz - az[i]);
         const float unit = 1 / std::sqrt(free ? gx * gx + gy * gy + gz * gz : 1.0f);
         const float bx = free ? gx * unit : nx, by = free ? gy * unit : ny, bz = free ? gz * unit : nz;

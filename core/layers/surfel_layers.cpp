@@ -147,7 +147,7 @@ void SurfelLayers::takePlace(Part& part, double strength, const Place& below, co
                              const Vec3d& area) {
     const double w = strength * (1 - part.mask);
     const Vec3d leant = leanTo(part, below.normal), areaNow = below.normal + turned(part.e, normal, leant) * w;
-    const Vec3d missing = displaced - (now.up - below.up), missingArea = area - areaNow, shown = now.up - below.up;
+    const Vec3d shown = now.up - below.up, missing = displaced - shown, missingArea = area - areaNow;
     const Vec3d place = shown + missing * (w / strength);
     const Vec3d next = leanTo(length(place) / std::abs(w), below.normal);
     if (leant == next) { // as it leant before: what nothing moves keeps its bits

@@ -5,7 +5,6 @@
 #include "core/tree/nearest_together.h"
 
 #include <algorithm>
-#include <array>
 
 namespace sculpt {
 
@@ -66,24 +65,17 @@ static std::size_t sheetAround(const tree::SurfelTree& tree, const Vec3f& x, con
 /// each.
 static std::vector<int> littleAround(tree::NearestTogether& around, const surfel::SurfelBlock& block,
                                      std::span<const int> slots, std::span<const float> link) {
+    std::vector<Vec3f> places;
+    for (const int slot : slots)
+        places.push_back(block.position(slot));
     std::vector<int> out;
-    std::array<Vec3f, tree::NearestTogether::most> places;
-    for (std::size_t first = 0; first < slots.size(); first += places.size()) {
-        const std::size_t count = std::min(places.size(), slots.size() - first);
-        for (std::size_t i = 0; i < count; ++i)
-            places[i] = block.position(slots[first + i]);
-        around.at(std::span(places).first(count));
-        for (std::size_t i = 0; i < count; ++i) {
-            const int slot = slots[first + i];
-            const float most = link[first + i] * link[first + i];
-            const std::span<const tree::Neighbour> near = around.of(i);
-            const auto linked = std::count_if(near.begin(), near.end(), [&](const tree::Neighbour& each) {
-                return each.distanceSq < most && alike(block.normal(slot), each.block->normal(each.slot));
-            });
-            if (static_cast<std::size_t>(linked) < enough)
-                out.push_back(slot);
-        }
-    }
+    around.forEach(places, [&](std::size_t i, std::span<const tree::Neighbour> near) {
+        const auto linked = std::count_if(near.begin(), near.end(), [&](const tree::Neighbour& each) {
+            return each.distanceSq < link[i] * link[i] && alike(block.normal(slots[i]), each.block->normal(each.slot));
+        });
+        if (static_cast<std::size_t>(linked) < enough)
+            out.push_back(slots[i]);
+    });
     return out;
 }
 

@@ -3,7 +3,6 @@
 #include "core/tree/nearest_together.h"
 
 #include <algorithm>
-#include <array>
 
 namespace sculpt {
 
@@ -77,20 +76,14 @@ static bool facesOneWay(const tree::SurfelTree& tree, const SurfelBlock& block) 
 
 FoldStrays::Slots FoldStrays::contradicted(const SurfelBlock& block, const Slots& slots) const {
     std::vector<int> all;
+    std::vector<Vec3f> places;
     for (int slot = 0; slot < block.size(); ++slot)
         if (slots[static_cast<std::size_t>(slot)] && block.mask(slot) < 1)
-            all.push_back(slot);
+            all.push_back(slot), places.push_back(block.position(slot));
     Slots out;
-    tree::NearestTogether around(m_now, asked);
-    std::array<Vec3f, tree::NearestTogether::most> places;
-    for (std::size_t begin = 0; begin < all.size(); begin += places.size()) {
-        const std::size_t count = std::min(places.size(), all.size() - begin);
-        for (std::size_t i = 0; i < count; ++i)
-            places[i] = block.position(all[begin + i]);
-        around.at(std::span(places).first(count));
-        for (std::size_t i = 0; i < count; ++i)
-            out.set(static_cast<std::size_t>(all[begin + i]), contradict(around.of(i), block.normal(all[begin + i])));
-    }
+    tree::NearestTogether(m_now, asked).forEach(places, [&](std::size_t i, std::span<const tree::Neighbour> near) {
+        out.set(static_cast<std::size_t>(all[i]), contradict(near, block.normal(all[i])));
+    });
     return out;
 }
 

@@ -4,6 +4,7 @@
 //     NearestTogether around(tree, 14);
 //     around.at(places);                    // up to 16 of them
 //     around.of(i)                          // of places[i], nearest first
+//     around.forEach(many, fn)              // as many as there are: fn(i, what is nearest to many[i])
 //
 // The positions are the lanes: one walk through the tree, nearest first, serves them all, and each surfel that it meets
 // is put into 16 sorted lists of distances at once. Who the nearest are is told afterwards, by their distances. Where
@@ -50,6 +51,16 @@ class NearestTogether {
     void at(std::span<const base::Vec3f> x) { at(x, 0); }
     /// Until the next `at`. REQUIRES: i < x.size().
     std::span<const Neighbour> of(std::size_t i) const { return m_found[i]; }
+    /// Any number of positions, in their order.
+    template <class Fn>
+    void forEach(std::span<const base::Vec3f> x, const Fn& fn) {
+        for (std::size_t first = 0; first < x.size(); first += most) {
+            const auto some = x.subspan(first, std::min(most, x.size() - first));
+            at(some);
+            for (std::size_t i = 0; i < some.size(); ++i)
+                fn(first + i, of(i));
+        }
+    }
 
   private:
     void at(std::span<const base::Vec3f> x, std::size_t first);

@@ -74,10 +74,7 @@ Gaps gapsOf(const surface::Surface& surface, std::size_t most) {
     std::vector<render::Camera> views = test::allAround(surface.tree().bounds(), 320, 240);
     views.resize(std::min(most, views.size()));
     for (const render::Camera& camera : views) {
-        render::Image rays;
-        rays.resize(camera.width, camera.height);
-        render::RayCounts counts;
-        render::rayCast(surface, camera, options, rays, counts);
+        const render::Image rays = test::raysOf(surface, camera, options);
         out.now += test::maskGap(rays, test::drawn(splatter, surface.tree(), camera, options));
         out.before += test::maskGap(rays, test::drawn(splatter, surface.tree(), camera, moving));
     }

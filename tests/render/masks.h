@@ -4,8 +4,10 @@
 #include "core/render/cast/raycast_image.h"
 #include "core/render/splats/cpu_splatter.h"
 #include "core/render/splats/splat_scale.h"
+#include "render/render_models.h"
 
 #include <numbers>
+#include <span>
 
 namespace test {
 
@@ -45,6 +47,16 @@ inline MaskGap maskGap(const render::Image& rays, const render::Image& splats) {
     return out;
 }
 
+/// What rays show.
+inline render::Image raysOf(const surface::Surface& surface, const render::Camera& camera,
+                            const render::RenderOptions& options) {
+    render::Image out;
+    out.resize(camera.width, camera.height);
+    render::RayCounts counts;
+    render::rayCast(surface, camera, options, out, counts);
+    return out;
+}
+
 /// Views of the whole model from the corners of an icosahedron.
 inline std::vector<render::Camera> allAround(const base::Box3f& box, int width, int height) {
     std::vector<render::Camera> out;
@@ -66,6 +78,16 @@ inline render::RenderOptions atRest(const surface::Surface& surface) {
     render::RenderOptions out;
     out.definition = surface.definition();
     out.splatScale = render::splatScaleOf(surface.tree());
+    return out;
+}
+
+/// Of splats and rays, over some views.
+inline MaskGap maskGap(const surface::Surface& surface, const render::RenderOptions& options,
+                       std::span<const render::Camera> views) {
+    render::CpuSplatter splatter;
+    MaskGap out;
+    for (const render::Camera& camera : views)
+        out += maskGap(raysOf(surface, camera, options), drawn(splatter, surface.tree(), camera, options));
     return out;
 }
 

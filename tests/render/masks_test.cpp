@@ -90,18 +90,8 @@ surfel::SurfelList prismOf(int corners, double inner, double spacing, std::uint6
 }
 
 MaskGap gapOf(const surface::Surface& surface, const render::RenderOptions& options, std::size_t most) {
-    render::CpuSplatter splatter;
-    MaskGap all;
-    std::vector<render::Camera> views = test::allAround(surface.tree().bounds(), 240, 180);
-    views.resize(std::min(most, views.size()));
-    for (const render::Camera& camera : views) {
-        render::Image rays;
-        rays.resize(camera.width, camera.height);
-        render::RayCounts counts;
-        render::rayCast(surface, camera, options, rays, counts);
-        all += test::maskGap(rays, test::drawn(splatter, surface.tree(), camera, options));
-    }
-    return all;
+    const std::vector<render::Camera> views = test::allAround(surface.tree().bounds(), 240, 180);
+    return test::maskGap(surface, options, std::span(views).first(std::min(most, views.size())));
 }
 
 } // namespace

@@ -54,18 +54,9 @@ void RimDiscsTest::fewDiscsEndAtKnownRims() {
         definition.knownRims = true;
         definition.boundaryLimit = 0.284f;
         const surface::Surface surface(tree::SurfelTree::build(plate(seed)), definition);
-        const render::RenderOptions options = test::atRest(surface);
-        render::CpuSplatter splatter;
-        test::MaskGap all;
         std::vector<render::Camera> views = test::allAround(surface.tree().bounds(), 300, 300);
         views.resize(4); // the others see the plate edge-on
-        for (const render::Camera& camera : views) {
-            render::Image rays;
-            rays.resize(camera.width, camera.height);
-            render::RayCounts counts;
-            render::rayCast(surface, camera, options, rays, counts);
-            all += test::maskGap(rays, test::drawn(splatter, surface.tree(), camera, options));
-        }
+        const test::MaskGap all = test::maskGap(surface, test::atRest(surface), views);
         const QString found =
             QString("%1 % holes, %2 % strays, seed %3").arg(all.holesPercent()).arg(all.straysPercent()).arg(seed);
         QVERIFY2(all.hit > 40000 && all.holesPercent() < 2 && all.straysPercent() < 0.2, qPrintable(found));

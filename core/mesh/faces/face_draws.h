@@ -3,6 +3,7 @@
 
 #include "core/mesh/faces/face_topology.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,9 @@ class InnerPlaces;
 struct FacePoint {
     std::uint32_t triangle = 0; ///< of the topology
     float b = 0, c = 0;         ///< barycentric coordinates of corners 1 and 2; corner 0 has 1 - b - c
+
+    /// Of the corners, in their order.
+    std::array<float, 3> weights() const { return {1 - b - c, b, c}; }
 };
 
 /// Where a point is.

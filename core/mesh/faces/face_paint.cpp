@@ -5,7 +5,7 @@
 
 namespace mesh {
 
-std::optional<surfel::Colour> FacePaint::at(std::size_t t, const float (&weights)[3]) const {
+std::optional<surfel::Colour> FacePaint::at(std::size_t t, const std::array<float, 3>& weights) const {
     const std::uint32_t face = m_cut.faces[t];
     const Polygons& p = m_polygons;
     const std::uint32_t number = face < p.pictureOf.size() ? p.pictureOf[face] : Polygons::noPicture;
@@ -22,7 +22,8 @@ std::optional<surfel::Colour> FacePaint::at(std::size_t t, const float (&weights
     return face < p.colours.size() ? std::optional(p.colours[face]) : std::nullopt;
 }
 
-std::optional<surfel::Colour> FacePaint::at(std::size_t t, const Triangle& corners, const float (&w)[3]) const {
+std::optional<surfel::Colour> FacePaint::at(std::size_t t, const Triangle& corners,
+                                            const std::array<float, 3>& w) const {
     return corners[1] == m_cut.triangles[t][1] ? at(t, w) : at(t, {w[0], w[2], w[1]});
 }
 

@@ -44,7 +44,7 @@ surfel::AttributeLayoutPtr layoutFor(const surfel::AttributeLayoutPtr& vertices,
     return out;
 }
 
-surfel::Colour blended(const surfel::Colour (&c)[3], const float (&w)[3]) {
+surfel::Colour blended(const surfel::Colour (&c)[3], const std::array<float, 3>& w) {
     surfel::Colour out = 0;
     for (unsigned shift = 0; shift < 32; shift += 8) {
         float sum = 0;
@@ -93,13 +93,8 @@ class FaceSampler {
     }
 
   private:
-    struct Weights {
-        float w[3];
-    };
-    static Weights weightsOf(const FacePoint& point) { return {{1 - point.b - point.c, point.b, point.c}}; }
-
     surfel::Surfel surfelAt(const FacePoint& point, const Size& size) const {
-        const auto [w] = weightsOf(point);
+        const std::array<float, 3> w = point.weights();
         surfel::Surfel out;
         out.position = base::cast<float>(placeOf(point, m_topology, m_positions));
         out.support = size.support;
@@ -120,8 +115,8 @@ class FaceSampler {
 
     /// Reals are blended, whole numbers are those of the nearest corner.
     void writeExtra(const FacePoint& point, std::span<std::uint32_t> out) const {
-        const auto [w] = weightsOf(point);
-        const auto nearest = static_cast<std::size_t>(std::max_element(w, w + 3) - w);
+        const std::array<float, 3> w = point.weights();
+        const auto nearest = static_cast<std::size_t>(std::ranges::max_element(w) - w.begin());
         const Triangle& t = m_topology.triangles[point.triangle];
         for (const surfel::Attribute& attribute : m_layout->attributes()) {
             if (attribute.firstWord >= m_vertices.layout->words()) {

@@ -30,7 +30,7 @@ SampleNormals::Side SampleNormals::longestSide(std::uint32_t triangle) const {
 }
 
 Vec3f SampleNormals::at(const FacePoint& point, double spacing, std::span<const std::uint8_t> tips) const {
-    const float weights[3] = {1 - point.b - point.c, point.b, point.c};
+    const std::array<float, 3> weights = point.weights();
     const Vec3f face = base::cast<float>(m_topology.normals[point.triangle]);
     Vec3f blended;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -81,12 +81,7 @@ float SpacingField::at(const base::Vec3f& x) const {
 SpacingField::Search::Search(const SpacingField& field) : m_field(field), m_around(field.m_tree, asked) {}
 
 void SpacingField::Search::at(std::span<const base::Vec3f> x, std::span<float> out) {
-    for (std::size_t first = 0; first < x.size(); first += tree::NearestTogether::most) {
-        const auto some = x.subspan(first, std::min(tree::NearestTogether::most, x.size() - first));
-        m_around.at(some);
-        for (std::size_t i = 0; i < some.size(); ++i)
-            out[first + i] = m_field.meanOf(m_around.of(i));
-    }
+    m_around.forEach(x, [&](std::size_t i, std::span<const tree::Neighbour> near) { out[i] = m_field.meanOf(near); });
 }
 
 float SpacingField::meanOf(std::span<const tree::Neighbour> near) const {

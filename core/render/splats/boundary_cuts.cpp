@@ -46,9 +46,8 @@ Around around(const surface::Surface& surface, const Vec3f& x) {
     return e.ok() ? Around{e.offCentre / e.unit, x - e.centroid} : Around{};
 }
 
-/// Too few surfels have weight there for a plane, so that nothing is surface about it.
-bool isLone(const surface::Surface& surface, const Vec3f& x) {
-    const surface::Cause cause = surface.evaluate(x, surface::Need::Value).cause;
+/// Too few surfels have weight for a plane, so that nothing is surface about the place.
+bool isLone(surface::Cause cause) {
     return cause == surface::Cause::NoSupport || cause == surface::Cause::OnePoint || cause == surface::Cause::TooFew;
 }
 
@@ -56,47 +55,45 @@ Vec3f tangential(const Vec3f& v, const Vec3f& n) {
     return normalized(v - n * dot(n, v), Vec3f{});
 }
 
+/// Where a way that begins at value `here`, below the limit, reaches it.
+struct WayEnd {
+    float part = 0;            ///< of the way, as it was asked
+    std::optional<Vec3f> away; ///< from the centroid, at the last place that had one
+};
+
+/// By regula falsi, from 0 to `far`; nothing where the limit is not reached within that. `at`: Around of a part.
+template <class At>
+std::optional<WayEnd> endOfWay(const At& at, float here, float far, float limit) {
+    float low = 0, lowValue = here, high = far, highValue = at(far).value;
+    if (!(highValue > limit))
+        return std::nullopt;
+    WayEnd out;
+    for (int step = 0; step < 5; ++step) {
+        const float between = std::isfinite(highValue) ? (limit - lowValue) / (highValue - lowValue) : 0.5f;
+        const float middle = low + (high - low) * std::clamp(between, 0.1f, 0.9f);
+        const Around found = at(middle);
+        (found.value <= limit ? low : high) = middle;
+        (found.value <= limit ? lowValue : highValue) = found.value;
+        if (std::isfinite(found.value))
+            out.away = found.away;
+    }
+    out.part = 0.5f * (low + high);
+    return out;
+}
+
 /// The cut of a disc whose centre is off centre by `here` along the tangential direction `out`: the place along it
-/// where the value reaches the limit, by regula falsi, and the direction of the boundary there.
+/// where the value reaches the limit, and the direction of the boundary there.
 CutCode boundaryCut(const surface::Surface& surface, const surfel::Surfel& s, const Vec3f& out, float radius,
                     float here, float limit) {
     if (here >= limit)
         return cutCode(s.normal, out, leastPart);
-    float low = 0, lowValue = here, high = 1;
-    Around end = around(surface, s.position + out * radius);
-    if (end.value <= limit)
+    const auto end =
+        endOfWay([&](float part) { return around(surface, s.position + out * (radius * part)); }, here, 1, limit);
+    if (!end)
         return wholeDisc;
-    Vec3f direction = out;
-    for (int step = 0; step < 5; ++step) {
-        const float between = std::isfinite(end.value) ? (limit - lowValue) / (end.value - lowValue) : 0.5f;
-        const float middle = low + (high - low) * std::clamp(between, 0.1f, 0.9f);
-        const Around found = around(surface, s.position + out * (radius * middle));
-        if (found.value <= limit)
-            low = middle, lowValue = found.value;
-        else
-            high = middle, end = found;
-        if (std::isfinite(found.value))
-            direction = tangential(found.away, s.normal);
-    }
+    const Vec3f direction = end->away ? tangential(*end->away, s.normal) : out;
     const float along = dot(direction, out);
-    return along > 0.2f ? cutCode(s.normal, direction, 0.5f * (low + high) * along)
-                        : cutCode(s.normal, out, 0.5f * (low + high));
-}
-
-/// How far along a direction the value reaches the limit, by regula falsi; nothing where it does not within `far`.
-std::optional<float> rimAlong(const surface::Surface& surface, const Vec3f& from, const Vec3f& way, float here,
-                              float far, float limit) {
-    float low = 0, lowValue = here, high = far, highValue = around(surface, from + way * far).value;
-    if (!(highValue > limit))
-        return std::nullopt;
-    for (int step = 0; step < 5; ++step) {
-        const float between = std::isfinite(highValue) ? (limit - lowValue) / (highValue - lowValue) : 0.5f;
-        const float middle = low + (high - low) * std::clamp(between, 0.1f, 0.9f);
-        const float found = around(surface, from + way * middle).value;
-        (found <= limit ? low : high) = middle;
-        (found <= limit ? lowValue : highValue) = found;
-    }
-    return (low + high) / 2;
+    return along > 0.2f ? cutCode(s.normal, direction, end->part * along) : cutCode(s.normal, out, end->part);
 }
 
 /// The cut of a disc beside a rim that the model knows of. Where surfels are few the centroid of those about one tells
@@ -117,18 +114,22 @@ CutCode knownRimCut(const surface::Surface& surface, const surfel::Surfel& s, fl
     const Vec3f out = normalized(past, Vec3f{}), side = cross(s.normal, out);
     if (!(lengthSq(out) > 0))
         return wholeDisc;
+    const auto rimAlong = [&](const Vec3f& way) {
+        return endOfWay([&](float far) { return around(surface, s.position + way * far); }, here, farther * radius,
+                        limit);
+    };
     std::optional<Vec3f> rim[2];
     for (int k = 0; k < 2; ++k) {
         const Vec3f way = out * std::cos(aside) + side * ((k == 0 ? 1 : -1) * std::sin(aside));
-        if (const auto found = rimAlong(surface, s.position, way, here, farther * radius, limit))
-            rim[k] = way * *found;
+        if (const auto found = rimAlong(way))
+            rim[k] = way * found->part;
     }
     if (!rim[0] || !rim[1])
         return boundaryCut(surface, s, out, radius, here, limit);
     const Vec3f direction = normalized(cross(*rim[0] - *rim[1], s.normal), out);
     float part = dot(direction, *rim[0]) / radius;
-    if (const auto middle = rimAlong(surface, s.position, out, here, farther * radius, limit)) // where it bulges
-        part = std::max(part, dot(direction, out) * *middle / radius);
+    if (const auto middle = rimAlong(out)) // where it bulges
+        part = std::max(part, dot(direction, out) * middle->part / radius);
     return part < 1 ? cutCode(s.normal, direction, part) : wholeDisc;
 }
 
@@ -137,24 +138,25 @@ CutCode knownRimCut(const surface::Surface& surface, const surfel::Surfel& s, fl
 BoundarySubject::BoundarySubject(const tree::SurfelTree& model, const surface::SurfaceDefinition& definition,
                                  float radiusOfSupport)
     : plain(plainly(model, definition)), fastest(fastestOf(plain)), radius(radiusOfSupport),
-      limit(definition.boundaryLimit), oriented(model.layout()->oriented) {}
+      limit(definition.boundaryLimit), oriented(model.layout()->oriented), knowsRims(surface::knowsRims(plain)) {}
 
 CutCode BoundaryCuts::cutOf(const SurfelBlock& block, int slot, surface::SelfLanes& lanes, bool onSurface) const {
     const int lane = slot % surfel::clusterSize;
-    if (lanes.status[lane] != surface::Status::Ok && !m_of.oriented) {
+    if (lanes.status[lane] != surface::Status::Ok) {
         const surface::Evaluationf e = m_of.plain.evaluate(block.position(slot), surface::Need::Value);
+        if (isLone(e.cause))
+            return loneDisc;
+        if (m_of.oriented || !e.ok())
+            return wholeDisc; // it has no plane
         lanes.set(lane, e);
-        lanes.status[lane] = e.status;
     }
     const Vec3f n = block.normal(slot);
-    if (lanes.status[lane] != surface::Status::Ok && isLone(m_of.plain, block.position(slot)))
-        return loneDisc;
-    if (lanes.status[lane] != surface::Status::Ok || lengthSq(n) < 0.25f)
-        return wholeDisc; // it has no plane
+    if (lengthSq(n) < 0.25f)
+        return wholeDisc;
     const float facing = dot(n, lanes.normalAt(lane)), off = lanes.offCentre[lane] / lanes.unit[lane];
     if (!onSurface && (m_of.oriented ? facing : std::abs(facing)) < acrossCosine)
         return acrossDisc;
-    const bool known = surface::knowsRims(m_of.plain) && off < m_of.limit;
+    const bool known = m_of.knowsRims && off < m_of.limit;
     if (!(off > quiet * m_of.limit || known) || !surface::mayEnd(m_of.plain, block.position(slot)))
         return wholeDisc;
     const float reach = m_of.radius * block.support(slot);

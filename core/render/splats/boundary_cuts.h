@@ -15,7 +15,7 @@ struct BoundarySubject {
     surface::Surface plain;   ///< neighbours and weights alone
     surface::Surface fastest; ///< the same as if normals had a common sign
     float radius, limit;
-    bool oriented;
+    bool oriented, knowsRims;
 };
 
 /// Finds cuts block by block. A worker of one thread, which keeps its memory.

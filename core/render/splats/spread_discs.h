@@ -23,7 +23,7 @@ constexpr int mostRings = 4;
 float spreadRadius(int rings);
 
 /// Where their middles are, in the plane across `normal`, in radii of the disc, its own first: all that it covers and,
-/// where the surface `ends` within it, what lies beyond, up to 1.36: where nothing else does, the surface goes on.
+/// where the surface `ends` within it, what lies beyond, up to 1.7: where nothing else does, the surface goes on.
 std::vector<base::Vec3f> spreadPlaces(const base::Vec3f& normal, int rings, bool ends);
 /// Half a step towards the middle from one of them.
 base::Vec3f fartherIn(const base::Vec3f& place, int rings);
